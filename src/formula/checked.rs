@@ -1,7 +1,7 @@
-//! A formula at inputs that are checked, with a result that is.
+//! Formulas with checked inputs and checked results.
 //!
-//! Where the inputs alone tell that nothing overflows ([`Finite`](super::Finite)), nothing else is looked at. Elsewhere one
-//! pass over all numbers tells whether anything is wrong, and only then is it looked for.
+//! Where the inputs alone guarantee that nothing overflows ([`Finite`](super::Finite)), nothing else is checked.
+//! Elsewhere one pass over all numbers detects whether anything is wrong, and only then is the culprit located.
 
 #![expect(clippy::inline_always, reason = "the pass over the inputs is a part of every checked call")]
 
@@ -9,7 +9,7 @@ use super::finite::bits_unless_finite;
 use super::{Component, Field, Fields, Formula, ValueAndJacobian};
 use crate::formula::error::Error;
 
-/// Value of a formula at inputs that were checked.
+/// The value of a formula, with its inputs and results checked.
 ///
 /// # Errors
 /// [`Error`] naming the input that is not finite or not in its domain, or the output that overflowed.
@@ -26,7 +26,7 @@ pub fn value<F: Formula>(i: &F::Inputs<f64>) -> Result<F::Outputs<f64>, Error> {
     if is_plain::<F>(i) { F::try_eval(i) } else { value_looked_at::<F>(i) }
 }
 
-/// Whether inputs are in their domains, and tell that nothing overflows.
+/// Whether the inputs are in their domains and guarantee that nothing overflows.
 #[inline(always)]
 pub(crate) fn is_plain<F: Formula>(i: &F::Inputs<f64>) -> bool {
     F::SPEC.finite.covers(i) & are_in_domain(i)
@@ -41,10 +41,10 @@ fn value_looked_at<F: Formula>(i: &F::Inputs<f64>) -> Result<F::Outputs<f64>, Er
     if are_finite(&out) { Ok(out) } else { Err(overflow::<F>(i)) }
 }
 
-/// Value and closed-form Jacobian of a formula at inputs that were checked.
+/// The value and closed-form Jacobian of a formula, with its inputs and results checked.
 ///
 /// # Errors
-/// As [`value`], or naming the output with a derivative that overflowed.
+/// As for [`value`], or an error naming the output with a derivative that overflowed.
 #[inline]
 pub fn value_and_jacobian<F: Formula>(i: &F::Inputs<f64>) -> Result<ValueAndJacobian<F, f64>, Error> {
     if is_plain::<F>(i) { F::try_linearized(i) } else { both_looked_at::<F>(i) }
@@ -55,7 +55,7 @@ fn both_looked_at<F: Formula>(i: &F::Inputs<f64>) -> Result<ValueAndJacobian<F, 
     if !are_allowed(i) {
         return Err(not_allowed(i));
     }
-    // Looked at where it is returned: large Jacobians are not copied.
+    // Checked in the returned value itself, so that large Jacobians are not copied.
     let mut found = F::try_linearized(i);
     if let Ok((out, jacobian)) = &found
         && !(are_finite(out) & are_finite_gradients(jacobian))
@@ -68,7 +68,7 @@ fn both_looked_at<F: Formula>(i: &F::Inputs<f64>) -> Result<ValueAndJacobian<F, 
 /// Whether the inputs are finite, in their domains, and valid together.
 ///
 /// # Errors
-/// The first input that is not.
+/// An error for the first input that is not.
 #[inline]
 pub fn check<F: Formula>(i: &F::Inputs<f64>) -> Result<(), Error> {
     if are_allowed(i) { F::validate(i) } else { Err(not_allowed(i)) }
@@ -77,7 +77,7 @@ pub fn check<F: Formula>(i: &F::Inputs<f64>) -> Result<(), Error> {
 /// Whether every component is finite and in its domain.
 ///
 /// # Errors
-/// The first that is not.
+/// An error for the first that is not.
 pub(super) fn check_fields(fields: &impl Fields<f64>) -> Result<(), Error> {
     if are_allowed(fields) { Ok(()) } else { Err(not_allowed(fields)) }
 }
@@ -109,7 +109,7 @@ fn are_finite_gradients<I: Fields<f64>>(jacobian: &impl Fields<I>) -> bool {
     bits == 0
 }
 
-/// The first input that is not allowed.
+/// The error of the first input that is not allowed.
 #[cold]
 #[inline(never)]
 fn not_allowed(i: &impl Fields<f64>) -> Error {
@@ -124,7 +124,7 @@ fn not_allowed(i: &impl Fields<f64>) -> Error {
     error.expect("one component was not allowed")
 }
 
-/// The first output that is not finite, computed once more.
+/// Recomputes the outputs and names the first that is not finite.
 #[cold]
 #[inline(never)]
 fn overflow<F: Formula>(i: &F::Inputs<f64>) -> Error {
@@ -132,7 +132,8 @@ fn overflow<F: Formula>(i: &F::Inputs<f64>) -> Error {
     Error::Overflow { name }
 }
 
-/// The first output that is not finite, or else the first with a derivative that is not, computed once more.
+/// Recomputes outputs and derivatives and names the first output that is not finite, or else the first with a
+/// derivative that is not.
 #[cold]
 #[inline(never)]
 fn derivative_overflow<F: Formula>(i: &F::Inputs<f64>) -> Error {
@@ -144,7 +145,7 @@ fn derivative_overflow<F: Formula>(i: &F::Inputs<f64>) -> Error {
     Error::DerivativeOverflow { name: field.expect("one derivative was not finite").name }
 }
 
-/// The first field with a component like this.
+/// The first field with a component that satisfies the condition.
 fn first_where<T: Component>(fields: &impl Fields<T>, is_so: impl Fn(T) -> bool) -> Option<&'static Field> {
     let mut found = None;
     fields.for_each_of_field(&mut |field, component| {

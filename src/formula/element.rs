@@ -1,8 +1,9 @@
-//! The one definition of an element: what a connector with multipliers adds to a step of Newton's method.
+//! The definition of an element: what a connector with multipliers adds to a step of Newton's method.
 //!
-//! It is no [`Formula`](super::Formula): it has hundreds of results, and what is asked of it is that they fit together. Rows are the
-//! derivative of the residuals, forces are rowsᵀ λ and friction, and the matrix is the derivative of the forces. Nodes, multipliers,
-//! parameters and state are scalars of one type, so that derivatives by any of them can be taken, and the element be written down.
+//! It is no [`Formula`](super::Formula): it has hundreds of results, which are checked for consistency with each
+//! other. Rows are the derivative of the residuals, forces are rowsᵀ λ and friction, and the matrix is the derivative
+//! of the forces. Nodes, multipliers, parameters and state are scalars of one type, so that derivatives with respect
+//! to all of them are available and the element can be recorded as a graph.
 
 use super::checked::check_fields;
 use super::finite::bits_unless_finite;
@@ -12,7 +13,7 @@ use crate::number::scalar::Scalar;
 use nalgebra::{SMatrix, SVector};
 use std::marker::PhantomData;
 
-/// A connector as an element with `M` multipliers and `DOFS` degrees of freedom. What is said about it stands in its
+/// A connector as an element with `M` multipliers and `DOFS` degrees of freedom. The evidence for it is in its
 /// [`ProvedElement`](super::proof::ProvedElement).
 ///
 /// ```
@@ -34,37 +35,37 @@ use std::marker::PhantomData;
 pub trait Element<const M: usize, const DOFS: usize = 12>:
     Copy + std::fmt::Debug + PartialEq + Send + Sync + 'static
 {
-    /// What is said about it; the bound of η is that of every number of the contribution.
+    /// Identifier, source and bounds of the element; the bound of η holds for every number of the contribution.
     const SPEC: Spec;
     /// The degrees of freedom in order.
     const UNKNOWNS: &'static [Field];
-    /// What acts on them, in the same order.
+    /// The forces and moments on the degrees of freedom, in the same order.
     const FORCES: &'static [Field];
     /// The residuals in order.
     const RESIDUALS: &'static [Field];
-    /// Their multipliers in the same order.
+    /// The multipliers of the residuals, in the same order.
     const MULTIPLIERS: &'static [Field];
-    /// Where its nodes are, and how they are turned.
+    /// Positions and orientations of its nodes.
     type Nodes<T: Component>: Fields<T>;
-    /// What was measured at the start.
+    /// Measurements in the initial configuration.
     type Start<T: Component>: Fields<T>;
-    /// How it rubs; [`Nothing`] where it cannot.
+    /// Parameters of its friction; [`Nothing`] if it has none.
     type Contact<T: Component>: Fields<T>;
-    /// What friction remembers from one increment to the next.
+    /// The state of friction from one increment to the next.
     type State<T: Component>: Fields<T>;
 
-    /// The nodes after motions so small that only their first power counts: translations add, a spin turns a vector by δθ × e.
+    /// The nodes after an infinitesimal motion, to first order: translations are added, and a spin δθ adds δθ × e to a vector e.
     fn moved<D: Scalar>(nodes: &Self::Nodes<D>, motions: &SVector<D, DOFS>) -> Self::Nodes<D>;
 
-    /// What makes numbers invalid beyond the domains of the single fields.
+    /// Checks conditions beyond the domains of the single fields.
     ///
     /// # Errors
-    /// What is wrong with which number.
+    /// The number at fault, and what is wrong with it.
     fn validate<D: Scalar>(_: &Self::Nodes<D>, _: &Parameters<Self, D, M, DOFS>) -> Result<(), Error> {
         Ok(())
     }
 
-    /// What it adds, and the state after the motion.
+    /// The contribution of the element, and the state after the motion.
     fn contribution<D: Scalar>(
         nodes: &Self::Nodes<D>,
         multipliers: &SVector<D, M>,
@@ -73,16 +74,16 @@ pub trait Element<const M: usize, const DOFS: usize = 12>:
     ) -> (Contribution<D, M, DOFS>, Self::State<D>);
 }
 
-/// What an element was made with.
+/// The parameters of an element.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parameters<E: Element<M, DOFS>, D: Component, const M: usize, const DOFS: usize = 12> {
-    /// What was measured at the start.
+    /// Measurements in the initial configuration.
     pub start: E::Start<D>,
-    /// How it rubs, if it does.
+    /// Parameters of friction, if there is any.
     pub contact: Option<E::Contact<D>>,
 }
 
-/// No fields: of an element that has no parameters, or no state.
+/// No fields: for an element without parameters or without state.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Nothing<T>(PhantomData<T>);
 
@@ -109,29 +110,29 @@ impl<T: Component> Fields<T> for Nothing<T> {
 /// What a connector adds to the residual and the matrix of Newton's method.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contribution<D, const M: usize, const DOFS: usize = 12> {
-    /// By how much its conditions are off.
+    /// The residuals of its conditions.
     pub residuals: SVector<D, M>,
-    /// The derivative of the residuals by the degrees of freedom.
+    /// The derivative of the residuals with respect to the degrees of freedom.
     pub rows: SMatrix<D, M, DOFS>,
-    /// What it exerts on its nodes: forces and moments of the multipliers and of friction.
+    /// The forces and moments on its nodes, from the multipliers and from friction.
     pub forces: SVector<D, DOFS>,
-    /// The derivative of these forces by the degrees of freedom.
+    /// The derivative of these forces with respect to the degrees of freedom.
     pub stiffness: SMatrix<D, DOFS, DOFS>,
-    /// Their derivative by the multipliers.
+    /// The derivative of these forces with respect to the multipliers.
     pub by_multipliers: SMatrix<D, DOFS, M>,
 }
 
 impl<D: Scalar, const M: usize, const DOFS: usize> Contribution<D, M, DOFS> {
     /// The same with the symmetric part of the stiffness, for programs that solve symmetric equations.
     ///
-    /// Without friction it is K + ½ \[m×\] in the block of a node's own spin, with the moment m on that node. Where nodal moments
-    /// balance nothing is lost; the convergence is linear otherwise, and where it slips.
+    /// Without friction it is K + ½ \[m×\] in the block of a node's own spin, with the moment m on that node. Where
+    /// nodal moments balance, convergence remains quadratic; otherwise, and during slip, it is linear.
     #[must_use]
     pub fn symmetric(&self) -> Self {
         Self { stiffness: (self.stiffness + self.stiffness.transpose()) * D::from(0.5), ..*self }
     }
 
-    /// Without friction: what the multipliers do on the nodes is what the nodes do to the residuals.
+    /// Without friction: the derivative of the forces with respect to the multipliers is the transpose of the rows.
     pub(crate) fn smooth(
         residuals: SVector<D, M>,
         rows: SMatrix<D, M, DOFS>,
@@ -141,8 +142,8 @@ impl<D: Scalar, const M: usize, const DOFS: usize> Contribution<D, M, DOFS> {
         Self { residuals, rows, forces, stiffness, by_multipliers: rows.transpose() }
     }
 
-    /// Adds to the derivatives what a friction does that works against a motion: the forces are −`row`ᵀ times it, and it
-    /// changes with the degrees of freedom and with the multipliers.
+    /// Adds the derivatives of a friction force that opposes a motion: the forces are −`row`ᵀ times it, and it changes
+    /// with the degrees of freedom and with the multipliers.
     pub(crate) fn follow_friction(
         &mut self,
         row: &SVector<D, DOFS>,
@@ -153,7 +154,8 @@ impl<D: Scalar, const M: usize, const DOFS: usize> Contribution<D, M, DOFS> {
         self.by_multipliers -= row * by_multipliers.transpose();
     }
 
-    /// All numbers in order: residuals, rows, forces, stiffness and derivative by the multipliers, matrices row by row.
+    /// All numbers in order: residuals, rows, forces, stiffness and derivative with respect to the multipliers,
+    /// matrices row by row.
     pub(crate) fn for_each(&self, visit: &mut impl FnMut(D)) {
         let Self { residuals, rows, forces, stiffness, by_multipliers } = self;
         residuals.iter().for_each(|&x| visit(x));
@@ -164,19 +166,19 @@ impl<D: Scalar, const M: usize, const DOFS: usize> Contribution<D, M, DOFS> {
     }
 }
 
-/// What a connector adds where multipliers are no unknowns.
+/// The contribution of a connector whose multipliers are no unknowns.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Penalised<D, const M: usize, const DOFS: usize = 12> {
-    /// What penalties make of the residuals, with the multipliers that were there before.
+    /// The multipliers after the penalties are applied to the residuals.
     pub multipliers: SVector<D, M>,
-    /// What it exerts on its nodes.
+    /// The forces and moments on its nodes.
     pub forces: SVector<D, DOFS>,
-    /// The derivative of these forces by the degrees of freedom.
+    /// The derivative of these forces with respect to the degrees of freedom.
     pub stiffness: SMatrix<D, DOFS, DOFS>,
 }
 
 impl<E: Element<M, DOFS>, D: Scalar, const M: usize, const DOFS: usize> Parameters<E, D, M, DOFS> {
-    /// What the element adds, and the state after the motion, at numbers that are valid.
+    /// The contribution of the element and the state after the motion, for valid numbers.
     pub fn contribution(
         &self,
         nodes: &E::Nodes<D>,
@@ -186,17 +188,17 @@ impl<E: Element<M, DOFS>, D: Scalar, const M: usize, const DOFS: usize> Paramete
         E::contribution(nodes, multipliers, self, before)
     }
 
-    /// The same element, which does not rub.
+    /// The same element without friction.
     #[must_use]
     pub fn smooth(&self) -> Self {
         Self { contact: None, ..*self }
     }
 
-    /// The second time derivative of the residuals less rows times accelerations, (∂(G q̇)/∂q) q̇: what multibody programs
-    /// subtract on the right-hand side of the equations of accelerations.
+    /// The second time derivative of the residuals minus rows times accelerations, (∂(G q̇)/∂q) q̇, which multibody
+    /// programs subtract on the right-hand side of the acceleration equations.
     ///
     /// Velocities are those of the translations and the angular velocities of the nodes, in the global frame. It is
-    /// q̇ᵀ ∂²g q̇, with the geometric stiffness of each residual alone.
+    /// q̇ᵀ ∂²g q̇, computed from the geometric stiffness of each residual alone.
     pub fn velocity_term(&self, nodes: &E::Nodes<D>, velocities: &SVector<D, DOFS>) -> SVector<D, M> {
         let (smooth, at_rest) = (self.smooth(), E::State::filled(D::zero()));
         SVector::from_fn(|k, _| {
@@ -205,12 +207,12 @@ impl<E: Element<M, DOFS>, D: Scalar, const M: usize, const DOFS: usize> Paramete
         })
     }
 
-    /// The element for programs without multipliers: penalties times the residuals take their place, or are added to them
+    /// The element for programs without multipliers: penalties times the residuals replace them, or are added to them
     /// (the augmented Lagrangian).
     ///
-    /// With penalties κ the multipliers are λ − κ g. The result has them, the forces, and the derivative of these by the
-    /// degrees of freedom, in which the multipliers are no unknowns any more; a program with an augmented Lagrangian begins the
-    /// next round from these multipliers.
+    /// With penalties κ the multipliers are λ − κ g. The result contains them, the forces, and the derivative of the
+    /// forces with respect to the degrees of freedom with the multipliers eliminated; a program with an augmented
+    /// Lagrangian starts its next iteration from these multipliers.
     pub fn penalised(
         &self,
         nodes: &E::Nodes<D>,
@@ -228,10 +230,10 @@ impl<E: Element<M, DOFS>, D: Scalar, const M: usize, const DOFS: usize> Paramete
 }
 
 impl<E: Element<M, DOFS>, const M: usize, const DOFS: usize> Parameters<E, f64, M, DOFS> {
-    /// Whether the parameters, these nodes and multipliers, and what friction remembers are valid.
+    /// Checks the parameters, the nodes, the multipliers and the state of friction.
     ///
     /// # Errors
-    /// The first number that is not.
+    /// The first number that is not valid.
     pub fn check(
         &self,
         nodes: &E::Nodes<f64>,
@@ -250,10 +252,10 @@ impl<E: Element<M, DOFS>, const M: usize, const DOFS: usize> Parameters<E, f64, 
         E::validate(nodes, self)
     }
 
-    /// [`contribution`](Self::contribution) at numbers that are checked.
+    /// [`contribution`](Self::contribution), with its numbers checked.
     ///
     /// # Errors
-    /// As [`check`](Self::check), or that something overflowed.
+    /// As for [`check`](Self::check), or an error that something overflowed.
     pub fn newton(
         &self,
         nodes: &E::Nodes<f64>,

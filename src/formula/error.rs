@@ -78,27 +78,27 @@ pub enum Error {
         /// What is allowed.
         allowed: String,
     },
-    /// At gimbal lock, β = ±90°, the Cardan angles α and γ turn about one axis and neither is defined.
+    /// At gimbal lock, β = ±90°, the Cardan angles α and γ rotate about one axis and neither is defined.
     GimbalLock {
         /// The angle.
         angle: &'static str,
-        /// What is proportional to its sine.
+        /// The expression proportional to its sine.
         sine: &'static str,
-        /// What is proportional to its cosine.
+        /// The expression proportional to its cosine.
         cosine: &'static str,
     },
-    /// A joint starts with its second Cardan angle so near ±90° that its residuals of angles are useless.
+    /// A joint starts with its second Cardan angle so near ±90° that its angular residuals are useless.
     IllConditioned {
         /// The angle.
         angle: &'static str,
         /// Its value.
         value: f64,
-        /// The condition number of the derivative of the three angles by a spin of b.
+        /// The condition number of the derivative of the three angles with respect to a spin of b.
         condition: f64,
-        /// The greatest that is allowed.
+        /// The largest allowed condition number.
         most: f64,
     },
-    /// An angle is undefined, since a vector is perpendicular to all axes between which it is measured.
+    /// An angle is undefined, since a vector is perpendicular to all the axes between which it is measured.
     UndefinedAngle {
         /// The angle.
         angle: &'static str,
@@ -107,14 +107,14 @@ pub enum Error {
         /// The axes.
         axes: &'static str,
     },
-    /// A scalar product that must have an arc sine is above 1 in size, as rounding alone can make it.
+    /// A scalar product that must have an arc sine exceeds 1 in magnitude, as rounding alone can cause.
     NoArcSine {
         /// The scalar product.
         product: &'static str,
-        /// By how much its size is above 1.
+        /// By how much its magnitude exceeds 1.
         excess: f64,
     },
-    /// Two points that must differ are at one place, or so near that the reciprocal of their distance overflows.
+    /// Two points that must differ coincide, or are so close that the reciprocal of their distance overflows.
     TooClose {
         /// One point.
         first: &'static str,
@@ -134,7 +134,7 @@ pub enum Error {
         /// The least length allowed.
         least: f64,
     },
-    /// A curve stands still where its tangent is asked for.
+    /// The derivative of a curve vanishes where its tangent is required.
     NoTangent {
         /// The coordinate along the curve.
         coordinate: &'static str,
@@ -155,7 +155,7 @@ pub enum Error {
         /// What is allowed.
         allowed: &'static str,
     },
-    /// Two nodes of a segment or an element are at one place.
+    /// Two nodes of a segment or an element coincide.
     CoincidentNodes {
         /// One node.
         first: u32,
@@ -164,7 +164,7 @@ pub enum Error {
     },
     /// A slide line has too few nodes, or a parabolic one an even number.
     NodeCount {
-        /// How many.
+        /// The number of nodes.
         count: usize,
         /// What is allowed.
         allowed: &'static str,
@@ -178,7 +178,7 @@ pub enum Error {
         /// The increment.
         increment: i64,
     },
-    /// A slide line turns straight back at a node, so that no side of it is the slave's.
+    /// A slide line turns straight back at a node, so that neither side is the slave's.
     FoldsBack {
         /// The node.
         node: u32,
@@ -199,12 +199,12 @@ pub enum Error {
     },
     /// A list of components has the wrong length.
     Components {
-        /// How many were given.
+        /// The number of components given.
         found: usize,
-        /// How many there must be.
+        /// The number of components required.
         expected: usize,
     },
-    /// The directions of a triad in the plane turn clockwise.
+    /// The directions of a triad in the plane are ordered clockwise.
     Clockwise,
     /// The inputs are allowed, but a result is too large for a double.
     Overflow {

@@ -1,13 +1,13 @@
-//! Gradients of products of vectors: hardly any of their components is not zero.
+//! Sparse gradients of products of vectors.
 
 #![expect(clippy::inline_always, reason = "the compiler sees the places, and where the zeros are")]
 
 use crate::number::scalar::Scalar;
 use nalgebra::Vector3;
 
-/// A vector of which at most two components are not zero everywhere: their places and values.
+/// A vector with at most two components that are not identically zero: their indices and values.
 ///
-/// The zeros are no numbers that are multiplied, so that nobody computes with them, and none gets a sign.
+/// The zeros are not stored, so that no operations are spent on them and none of them acquires a sign.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Few<D>([(usize, D); 2]);
 
@@ -24,7 +24,7 @@ impl<D: Scalar> Few<D> {
     pub(crate) fn times(self, factor: D) -> Vector3<D> {
         self.made(|x| x * factor)
     }
-    /// The vector of what is made of these components.
+    /// The vector with `make` applied to these components.
     #[inline(always)]
     fn made(self, make: impl Fn(D) -> D) -> Vector3<D> {
         let [one, other] = self.0;
@@ -35,7 +35,7 @@ impl<D: Scalar> Few<D> {
         };
         Vector3::new(at(0), at(1), at(2))
     }
-    /// v + factor times this.
+    /// v + factor times this vector.
     #[inline(always)]
     pub(crate) fn added_to(self, v: &Vector3<D>, factor: D) -> Vector3<D> {
         let [one, other] = self.0;
@@ -48,13 +48,13 @@ impl<D: Scalar> Few<D> {
     }
 }
 
-/// The places that follow one in turn.
+/// The two cyclic successors of an index.
 #[inline(always)]
 pub(crate) fn next(k: usize) -> [usize; 2] {
     [(k + 1) % 3, (k + 2) % 3]
 }
 
-/// The gradients of the k-th component of a × b: by a, and by b.
+/// The gradients of the k-th component of a × b, with respect to a and to b.
 #[inline(always)]
 pub(crate) fn cross_gradient<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>, k: usize) -> [Few<D>; 2] {
     let [l, m] = next(k);

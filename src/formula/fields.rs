@@ -1,4 +1,4 @@
-//! Structs of named fields: what goes into a formula and what comes out of it.
+//! Structs of named fields: the inputs and outputs of formulas.
 
 #![expect(clippy::inline_always, reason = "a call for a component costs more than the component")]
 
@@ -15,12 +15,12 @@ impl<T: Copy + Debug + PartialEq + 'static> Component for T {}
 pub struct Field {
     /// The name, the same in Rust, golden files, book, reports and messages.
     pub name: &'static str,
-    /// What it is.
+    /// The quantity it holds.
     pub quantity: &'static Quantity,
 }
 
 impl Field {
-    /// The field of this identifier; `r#fn` is named `fn`.
+    /// The field named by this identifier; `r#fn` becomes `fn`.
     pub const fn new(identifier: &'static str, quantity: &'static Quantity) -> Self {
         let name = match identifier.as_bytes() {
             [b'r', b'#', ..] => identifier.split_at(2).1,
@@ -62,7 +62,7 @@ pub trait Fields<T: Component>: Component {
         self.accept(&mut Each(visit));
     }
 
-    /// An array with room for the components.
+    /// An array of as many components, each equal to `value`.
     fn array_of(value: T) -> Self::Array;
 
     /// The struct with every component equal to `value`.
@@ -77,7 +77,7 @@ pub trait Fields<T: Component>: Component {
         all
     }
 
-    /// The struct of these components; `None` where their number is not the struct's.
+    /// The struct with these components; `None` if their number is wrong.
     #[inline]
     fn from_slice(components: &[T]) -> Option<Self> {
         let mut k = 0;
@@ -97,9 +97,9 @@ const fn components_of(fields: &[Field]) -> usize {
     }
 }
 
-/// Who looks at components; unlike a closure, what it does with each can be compiled in its place.
+/// Visits components; unlike a closure, its action on each can be inlined.
 pub trait Visitor<T> {
-    /// Looks at a component.
+    /// Visits one component.
     fn visit(&mut self, component: T);
 }
 
@@ -113,9 +113,9 @@ impl<T, F: FnMut(T)> Visitor<T> for Each<'_, F> {
     }
 }
 
-/// One field's worth of components: a scalar, a short column, or a square matrix row by row.
+/// The components of one field: a scalar, a short column, or a square matrix row by row.
 pub trait Part<T> {
-    /// How many.
+    /// The number of components.
     const LEN: usize;
     /// Builds the part from its components in order.
     fn from_components(next: &mut impl FnMut() -> T) -> Self;
@@ -177,8 +177,8 @@ impl<T: Component, const N: usize> Part<T> for SMatrix<T, N, N> {
     }
     #[inline(always)]
     fn accept(&self, visitor: &mut impl Visitor<T>) {
-        // In a loop the compiler would not see which component it is, and what is done with it. Of the long gradients that there
-        // are in the plane this would be too much code.
+        // In a loop the compiler would see neither the index of a component nor its use. For long gradients in the
+        // plane, unrolling would generate too much code.
         if N == 2 && size_of::<T>() <= 8 * size_of::<f64>() {
             visitor.visit(self[(0, 0)]);
             visitor.visit(self[(0, 1)]);
@@ -273,10 +273,10 @@ pub(crate) fn entries<T: Component, I: Fields<T>>(jacobian: &impl Fields<I>) -> 
     all
 }
 
-/// The struct of as many components as it has.
+/// The struct with these components.
 ///
 /// # Panics
-/// If their number is another one: the caller, who has counted them, would be wrong.
+/// If their number is wrong, which would be a mistake of the caller.
 #[cfg(feature = "verify")]
 pub(crate) fn typed<T: Component, I: Fields<T>>(components: &[T]) -> I {
     I::from_slice(components)

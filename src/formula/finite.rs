@@ -1,28 +1,28 @@
-//! Inputs at which no result overflows, so that none has to be looked at.
+//! Inputs for which no result overflows, so that results need no check.
 
 #![expect(clippy::inline_always, reason = "beside the formula what is known of an input costs nothing")]
 
 use super::Fields;
 use crate::number::power::power_of_two;
 
-/// Inputs at which neither an output nor a derivative of a formula overflows.
+/// Inputs for which neither an output nor a derivative of a formula overflows.
 ///
-/// There [`value_and_jacobian`](super::value_and_jacobian) looks at the inputs alone, which are fewer than the results.
-/// The audit holds what a formula says here, at inputs drawn to break it.
+/// For these, [`value_and_jacobian`](super::value_and_jacobian) checks the inputs alone, which are fewer than the
+/// results. The audit tests each formula's claim at inputs drawn to break it.
 ///
-/// Products of a few numbers below [`Finite::LARGEST`] stay below the largest double, which is 2¹⁰²⁴. Quotients stay there
-/// too where a divisor is at least as large as [`Finite::SMALLEST`] allows: the difference of two such numbers that are not
-/// equal is above 2⁻¹⁵³.
+/// Products of a few numbers below [`Finite::LARGEST`] stay below the limit of doubles, 2¹⁰²⁴. So do quotients whose
+/// divisor is at least as large as [`Finite::SMALLEST`] implies: the difference of two unequal numbers of this kind
+/// exceeds 2⁻¹⁵³.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub enum Finite {
-    /// Not known of any: every result is looked at.
+    /// Not known: every result is checked.
     #[default]
     Unknown,
-    /// All components are below [`Finite::LARGEST`] in size: sums and products, and quotients by a length that is no smaller
-    /// than what it divides.
+    /// All components are below [`Finite::LARGEST`] in magnitude: for sums, products, and quotients by a length that
+    /// is no smaller than the dividend.
     Below,
-    /// All components are 0, or from [`Finite::SMALLEST`] on and below [`Finite::LARGEST`] in size.
+    /// All components are 0, or have a magnitude of at least [`Finite::SMALLEST`] and below [`Finite::LARGEST`].
     Between,
 }
 
@@ -32,7 +32,7 @@ impl Finite {
     /// 2¹²⁸ ≈ 3.4e38.
     pub const LARGEST: f64 = power_of_two(128);
 
-    /// Whether these are such inputs; not if one is infinite or NaN.
+    /// Whether the inputs satisfy this; false if one is infinite or NaN.
     #[inline(always)]
     pub(crate) fn covers(self, i: &impl Fields<f64>) -> bool {
         match self {
@@ -43,14 +43,14 @@ impl Finite {
     }
 }
 
-/// Zero where x is finite: x − x is 0 there, and NaN elsewhere. Two operations, which the compiler does two at a time.
+/// Zero if x is finite: x − x is then 0, and otherwise NaN. The compiler vectorises these two operations.
 #[inline(always)]
 #[expect(clippy::eq_op, reason = "the difference of a number and itself tells whether it is finite")]
 pub(crate) fn bits_unless_finite(x: f64) -> u64 {
     (x - x).to_bits()
 }
 
-/// In a unit in which [`Finite::LARGEST`] is too large for a double.
+/// The inputs are scaled so that [`Finite::LARGEST`] overflows.
 #[inline(always)]
 fn are_below(i: &impl Fields<f64>) -> bool {
     let mut bits = 0;

@@ -1,7 +1,8 @@
-//! What is said *about* a formula, so that the toolkit can check it: cases, kinks, laws, and other ways to compute it.
+//! The evidence *about* a formula that the toolkit checks: cases, kinks, laws, and alternative computations.
 //!
 //! A formula's own file shows its equation and its derivative. Its evidence is [`Proved`], in the file `proof.rs` next
-//! door. [`verify`](crate::toolkit::verify) and [`measure`](crate::toolkit::measure) take any formula that has it, of other crates too.
+//! to it. [`verify`](crate::toolkit::verify) and [`measure`](crate::toolkit::measure) accept any formula that has it,
+//! also from other crates.
 
 mod case;
 mod element;
@@ -28,28 +29,28 @@ pub trait Proved: Formula {
         Vec::new()
     }
 
-    /// Inputs put where the formula is used, from inputs whose components were drawn one by one: of a closest point the foot
-    /// and the distance are drawn, and not the slave point, which would be beyond an end more often than not.
+    /// Realistic inputs made from inputs whose components were drawn one by one. For a closest point, for instance, the foot and
+    /// the distance are drawn instead of the slave point, which would be beyond an end more often than not.
     fn placed(drawn: Self::Inputs<f64>) -> Self::Inputs<f64> {
         drawn
     }
 
-    /// Inputs that [`validate`](Formula::validate) rejects; what the domains reject is added by itself.
+    /// Inputs that [`validate`](Formula::validate) rejects; inputs outside the domains are added automatically.
     fn invalid_cases() -> Vec<Case<Self::Inputs<f64>>> {
         Vec::new()
     }
 
-    /// Where the formula has no derivative, and what is done there.
+    /// Where the formula has no derivative, and the convention used there.
     fn kinks() -> Vec<Kink<Self>> {
         Vec::new()
     }
 
-    /// What physics demands of it beyond frame indifference and homogeneity, which are checked for every formula.
+    /// Physical laws it must satisfy, beyond frame indifference and homogeneity, which are checked for every formula.
     fn laws() -> Vec<Law<Self>> {
         Vec::new()
     }
 
-    /// Other ways to compute the value, as textbooks have it or as the document words it, to be measured beside
+    /// Alternative computations of the value, as in textbooks or as the document words it, measured alongside
     /// [`eval`](Formula::eval).
     fn ways() -> Vec<Way> {
         Vec::new()

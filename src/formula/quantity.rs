@@ -1,13 +1,13 @@
-//! The vocabulary: every quantity of the documents, with symbol, shape, unit, allowed values and meaning, said once.
+//! The vocabulary: every quantity of the documents, with symbol, shape, unit, allowed values and meaning, defined once.
 //!
-//! A formula's inputs and outputs are fields that refer to these constants (see [`fields!`](crate::fields)); the
-//! sampler, the input check, the golden files, the book and the error messages all read them from here.
+//! A formula's inputs and outputs are fields that refer to these constants (see [`fields!`](crate::fields)); the sampler, the
+//! input check, the golden files, the book and the error messages all read them from here.
 
 mod vocabulary;
 
 pub use vocabulary::{Domain, Node, Quantity, Shape, Unit};
 
-/// The table below: a constant and its documentation from one row.
+/// Generates each constant and its documentation from one row of the table below.
 macro_rules! quantities {
     ($($name:ident: $latex:literal, $shape:ident, $unit:expr, $domain:expr, $meaning:literal;)*) => {
         $(

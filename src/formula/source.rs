@@ -1,4 +1,4 @@
-//! Where an equation is from, and how much of it the document says.
+//! The source of an equation, and how completely the document prints it.
 
 use std::fmt;
 
@@ -8,7 +8,7 @@ use std::fmt;
 pub struct Document {
     /// Its title.
     pub title: &'static str,
-    /// Where it can be read; empty where it cannot be linked.
+    /// Where it can be read; empty if there is no link.
     pub link: &'static str,
 }
 
@@ -24,7 +24,7 @@ impl Document {
     /// Slide lines and the elements on them.
     pub const SLIDE_LINE: Self = Self::new("Slide lines");
 
-    /// A document of this title.
+    /// A document with this title.
     pub const fn new(title: &'static str) -> Self {
         Self { title, link: "" }
     }
@@ -40,12 +40,12 @@ impl Document {
         self.source(section, Provenance::Printed)
     }
 
-    /// An equation that the section prints with symbols lost: which.
+    /// An equation that the section prints with lost symbols, described by `lost`.
     pub const fn reconstructed(self, section: &'static str, lost: &'static str) -> Source {
         self.source(section, Provenance::Reconstructed(lost))
     }
 
-    /// An equation that the section needs and does not print: why it is as it is.
+    /// An equation that the section needs but does not print; `why` justifies it.
     pub const fn ours(self, section: &'static str, why: &'static str) -> Source {
         self.source(section, Provenance::Ours(why))
     }
@@ -55,8 +55,8 @@ impl Document {
     }
 }
 
-/// The place in a document that an equation is from, and what the document says of it. Made by
-/// [`Document::printed`], [`Document::reconstructed`] or [`Document::ours`], so that none is without its provenance:
+/// The place in a document where an equation comes from, and how completely the document prints it. Created by
+/// [`Document::printed`], [`Document::reconstructed`] or [`Document::ours`], so that none lacks its provenance:
 ///
 /// ```compile_fail
 /// use jointproof::formula::{Document, Spec};
@@ -69,7 +69,7 @@ pub struct Source {
     pub document: Document,
     /// The section, in the document's own headings; empty where it has none.
     pub section: &'static str,
-    /// What the document says of the equation.
+    /// How completely the document prints the equation.
     pub provenance: Provenance,
 }
 
@@ -83,18 +83,18 @@ impl fmt::Display for Source {
     }
 }
 
-/// How much of an equation its document says.
+/// How completely a document prints an equation.
 ///
-/// It is said of the equation as [`Spec::latex`](super::Spec::latex) writes it. What stands in it under a name of its own,
-/// as F_C in F_N, has a formula and a provenance of its own. A residual counts as the printed equation whose two sides it
-/// subtracts.
+/// It refers to the equation as [`Spec::latex`](super::Spec::latex) writes it. A quantity that appears in it under its
+/// own name, such as F_C in F_N, has its own formula and provenance. A residual counts as the printed equation whose
+/// two sides it subtracts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Provenance {
-    /// Printed. A dot that was lost between two vectors leaves no other reading and is not counted as lost.
+    /// Printed. A dot lost between two vectors leaves no other reading and does not count as lost.
     Printed,
-    /// The document's words stand, symbols were lost in the text that was passed on: which.
+    /// The document's words are there, but symbols, named here, were lost in the text we received.
     Reconstructed(&'static str),
-    /// Ours, and why.
+    /// Derived by us, for the reason given here.
     Ours(&'static str),
 }
 
@@ -108,7 +108,7 @@ impl Provenance {
         }
     }
 
-    /// What was lost, or why it is ours; empty for what is printed.
+    /// What was lost, or why it is ours; empty if printed.
     pub const fn why(self) -> &'static str {
         match self {
             Self::Printed => "",
@@ -117,7 +117,7 @@ impl Provenance {
     }
 }
 
-/// The kind, and why.
+/// The kind, and the explanation if there is one.
 impl fmt::Display for Provenance {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.why() {

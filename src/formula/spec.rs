@@ -1,4 +1,4 @@
-//! What is said about a formula, once: identifier, source, equation, and bounds of its accuracy.
+//! The specification of a formula: identifier, source, equation, and bounds of its accuracy.
 
 use super::{Finite, Source};
 
@@ -13,14 +13,14 @@ pub struct Given {
 }
 
 impl Given {
-    /// Symbols, and the formula whose equation defines them. What that formula takes for its inputs are the symbols of the
-    /// same name in the equation that refers to it.
+    /// Symbols, and the formula whose equation defines them. The inputs of that formula are the symbols of the same
+    /// name in the referring equation.
     pub const fn new(symbols: &'static str, from: &'static Spec) -> Self {
         Self { symbols, from }
     }
 }
 
-/// What is said about a formula, once.
+/// The specification of a formula.
 ///
 /// ```
 /// use jointproof::formula::{Document, Spec};
@@ -37,22 +37,22 @@ pub struct Spec {
     pub id: &'static str,
     /// A title of a few words.
     pub title: &'static str,
-    /// Where it is documented, and how much of it.
+    /// Where it is documented, and how completely.
     pub source: Source,
     /// The equation in LaTeX.
     pub latex: &'static str,
     /// Where the symbols of the equation come from that are neither inputs nor defined in it.
     pub given: &'static [Given],
-    /// The stated bounds of the backward error η in `f64`, on random and hard cases, of every component.
+    /// The stated bounds of the backward error η in `f64`, for random and hard cases, of every component.
     pub eta: Bounds,
-    /// Normwise bounds of η, where no bound of every component is known: then those above hold at the golden cases.
+    /// Normwise bounds of η, if no bound of every component is known: then the bounds above hold for the golden cases.
     pub normwise: Option<Bounds>,
-    /// Both bounds of η hold where every component of the inputs is 0, or from one part in so many to so many in size.
+    /// Both bounds of η hold if every component of the inputs is 0 or has a magnitude from 1/`scale` to `scale`.
     pub scale: f64,
-    /// Whether moving and turning the whole model moves and turns the outputs with it (frame indifference). A formula
+    /// Whether translating and rotating the whole model does the same to the outputs (frame indifference). A formula
     /// that refers to the global axes is not objective.
     pub objective: bool,
-    /// The inputs at which neither an output nor a derivative overflows.
+    /// The inputs for which neither an output nor a derivative overflows.
     pub finite: Finite,
 }
 
@@ -65,14 +65,14 @@ pub struct Bounds {
     pub jacobian: Option<f64>,
 }
 
-/// What is said of [normwise](Spec::normwise) bounds.
+/// The suffix that marks [normwise](Spec::normwise) bounds.
 pub(crate) const NORMWISE: &str = ", normwise";
 
 impl Spec {
-    /// The scale of a formula that says nothing of it: products of ten numbers of such sizes neither over- nor underflow.
+    /// The default scale: products of ten numbers of such sizes neither over- nor underflow.
     pub const SCALE: f64 = 1e30;
 
-    /// An objective formula; its equation and its bounds follow.
+    /// An objective formula; the equation and the bounds are added by the methods below.
     pub const fn new(id: &'static str, title: &'static str, source: Source) -> Self {
         let (latex, given, eta) = ("", [].as_slice(), Bounds { value: 0.0, jacobian: None });
         let (normwise, scale, objective, finite) = (None, Self::SCALE, true, Finite::Unknown);
@@ -108,9 +108,9 @@ impl Spec {
         self.eta.jacobian.is_some()
     }
 
-    /// Normwise bounds of η, of value and Jacobian: a component of a vector or matrix, or a derivative by one, that is beyond the
-    /// bound is judged beside the largest other one of it, as if it were as large and changed as much. Which component is small
-    /// depends on the axes, and what cancels in it does not in the others.
+    /// Normwise bounds of η, of value and Jacobian. A component of a vector or matrix, or a derivative with respect to
+    /// one, that exceeds the bound is judged against the largest other component, as if it were as large and changed
+    /// as much. Which component is small depends on the axes, and what cancels in one does not cancel in the others.
     #[must_use]
     pub const fn normwise(self, value: f64, jacobian: f64) -> Self {
         Self { normwise: Some(Bounds { value, jacobian: Some(jacobian) }), ..self }
@@ -133,7 +133,7 @@ impl Spec {
         }
     }
 
-    /// These bounds, and how they are to be understood.
+    /// The bounds that the audit checks, and the suffix that says how they are meant.
     pub const fn bounds(&self) -> (Bounds, &'static str) {
         match self.normwise {
             Some(bounds) => (bounds, NORMWISE),
@@ -147,8 +147,8 @@ impl Spec {
         Self { normwise: Some(Bounds { value, jacobian: None }), ..self }
     }
 
-    /// The sizes up to which the bounds of η hold: every component of the inputs is 0, or from 1/`scale` to `scale`. Beyond, a
-    /// product of some of them may under- or overflow on the way to a result that does not.
+    /// The sizes for which the bounds of η hold: every component of the inputs is 0, or from 1/`scale` to `scale`.
+    /// Beyond, a product of some of them may under- or overflow although the result does not.
     #[must_use]
     pub const fn scale(self, scale: f64) -> Self {
         Self { scale, ..self }
@@ -165,20 +165,20 @@ impl Spec {
         format!("from 1/{0:e} to {0:e}", self.scale)
     }
 
-    /// The inputs at which neither an output nor a derivative overflows, which makes checked calls cheap there.
+    /// The inputs for which neither an output nor a derivative overflows, which makes checked calls cheap there.
     #[must_use]
     pub const fn finite(self, finite: Finite) -> Self {
         Self { finite, ..self }
     }
 
-    /// With the bounds of another formula, and the sizes up to which they hold: it computes the same.
+    /// With the bounds, the scale and the finite inputs of another formula that computes the same.
     #[must_use]
     pub const fn accurate_as(self, other: &Self) -> Self {
         let Self { eta, normwise, scale, finite, .. } = *other;
         Self { eta, normwise, scale, finite, ..self }
     }
 
-    /// It refers to the global axes, so that turning the model does not turn the outputs with it.
+    /// It refers to the global axes, so that rotating the model does not rotate the outputs with it.
     #[must_use]
     pub const fn not_objective(self) -> Self {
         Self { objective: false, ..self }

@@ -1,8 +1,8 @@
-//! The angle of a point of the plane in doubles, without a branch that points of all directions would take now and then.
+//! The angle of a point in the plane, in doubles, without branches that mispredict when the points lie in arbitrary directions.
 //!
-//! With the larger and the smaller of |x| and |y|, the smaller over the larger is the tangent of at most an eighth of a turn, and
-//! the angle beside the nearest sixteenth has a tangent t of at most tan 22.5°. Its arc tangent is t + t³ P(t²). Which eighth it
-//! is says how many times π/4 comes on top, and which way the rest counts.
+//! The smaller of |x| and |y| over the larger is the tangent of at most an eighth of a turn. Measured from the nearest multiple
+//! of a sixteenth of a turn, the angle has a tangent t of at most tan 22.5°, and its arc tangent is t + t³ P(t²). The octant
+//! decides which multiple of π/4 is added and with which sign the remainder counts.
 
 #![expect(clippy::inline_always, reason = "what is not inlined is not compiled for vectors")]
 
@@ -13,7 +13,7 @@ use std::f64::consts::FRAC_PI_4;
 const FRAC_PI_4_LOW: f64 = 3.061_616_997_868_383e-17;
 /// tan 22.5°
 const TAN_SIXTEENTH: f64 = 0.414_213_562_373_095_03;
-/// P, nearly as good as any of its degree: t³ P(t²) is right to 2⁻⁵⁸ t.
+/// P, close to the best polynomial of its degree: the error of t³ P(t²) is at most 2⁻⁵⁸ t.
 const ARC_TANGENT: [f64; 12] = [
     -0.333_333_333_333_333_3,
     0.199_999_999_999_998_04,
@@ -28,23 +28,23 @@ const ARC_TANGENT: [f64; 12] = [
     -0.034_569_315_063_326_09,
     0.016_284_375_050_043_393,
 ];
-/// Sums and quotients of what is larger might overflow.
+/// Above this, sums and quotients might overflow.
 const LARGE: f64 = 1e300;
 
-/// The angle of (x, y), right to two units in the last place; special values as those of [`f64::atan2`].
+/// The angle of (x, y), within two units in the last place; special values as in [`f64::atan2`].
 #[inline]
 pub(crate) fn angle(y: f64, x: f64) -> f64 {
     let [angle] = angles([y], [x]);
     angle
 }
 
-/// The angles of several points, each with the bits of [`angle`].
+/// The angles of several points, bit for bit those of [`angle`].
 #[inline(always)]
 pub(crate) fn angles<const N: usize>(y: [f64; N], x: [f64; N]) -> [f64; N] {
     if of_both(y, x, larger).into_iter().all(is_usual) { usual(y, x) } else { extreme(y, x) }
 }
 
-/// The angles of points, or NaN of those that are extreme.
+/// The angles of points, NaN for those that are extreme.
 #[cfg(feature = "batch")]
 #[inline(always)]
 pub(crate) fn usual_angles<const N: usize>(y: [f64; N], x: [f64; N]) -> [f64; N] {
@@ -59,13 +59,13 @@ fn larger(y: f64, x: f64) -> f64 {
     if across > along { across } else { along }
 }
 
-/// Whether the larger of |x| and |y| is neither zero nor beyond what can be added and divided; no if it is NaN.
+/// Whether the larger of |x| and |y| is non-zero and small enough to be added and divided; false for NaN.
 #[inline(always)]
 fn is_usual(large: f64) -> bool {
     is_between(large, 0.0, LARGE)
 }
 
-/// The angles of points that are not extreme; step by step for all of them, which vectors of a processor do at once.
+/// The angles of points that are not extreme, one step at a time for all of them, so that the loops vectorise.
 #[inline(always)]
 fn usual<const N: usize>(y: [f64; N], x: [f64; N]) -> [f64; N] {
     let (across, along) = (y.map(f64::abs), x.map(f64::abs));
@@ -85,7 +85,7 @@ fn usual<const N: usize>(y: [f64; N], x: [f64; N]) -> [f64; N] {
     })
 }
 
-/// z P(z), in parts that do not wait for each other.
+/// z P(z), in parts that do not depend on each other.
 #[inline(always)]
 pub(crate) fn beyond(p: &[f64; 12], z: f64) -> f64 {
     let z2 = z * z;
@@ -104,7 +104,7 @@ fn one_if(condition: bool) -> f64 {
     if condition { 1.0 } else { 0.0 }
 }
 
-/// Where one of the points is the origin, at infinity, beside it, or no number.
+/// For points of which at least one is the origin, is extremely large, or has a coordinate that is infinite or NaN.
 #[cold]
 fn extreme<const N: usize>(y: [f64; N], x: [f64; N]) -> [f64; N] {
     of_both(y, x, |y, x| if is_usual(larger(y, x)) { angle(y, x) } else { y.atan2(x) })
@@ -117,7 +117,7 @@ mod tests {
     use num_dual::DualNum;
     use proptest::prelude::*;
 
-    /// Units in the last place of the exact angle.
+    /// The error in units in the last place of the exact angle.
     fn error(y: f64, x: f64) -> f64 {
         let exact = Octuple::from(y).atan2(Octuple::from(x));
         let nearest = exact.to_f64().abs();

@@ -1,7 +1,7 @@
-//! The arc sine in doubles, without a branch between its two ways, and with the same bits on every machine.
+//! The arc sine in doubles, without a branch between its two formulas, and with the same bits on every machine.
 //!
-//! Up to ½ it is s + s³ P(s²) of s = |x|. Beyond, twice the arc sine of s = √((1 − |x|)/2), which is at most ½ too, is what is
-//! missing to a quarter turn.
+//! Up to |x| = ½ it is s + s³ P(s²) with s = |x|. Above, it is π/2 minus twice the arc sine of s = √((1 − |x|)/2),
+//! which is again at most ½.
 
 #![expect(clippy::inline_always, reason = "what is not inlined is not compiled for vectors")]
 
@@ -9,9 +9,9 @@ use crate::number::angle::beyond;
 use std::f64::consts::FRAC_PI_2;
 use std::hint::select_unpredictable;
 
-/// Half of what π/2 is above the double below it.
+/// Half of the difference between π/2 and the double below it.
 const HALF_FRAC_PI_2_LOW: f64 = 3.061_616_997_868_383e-17;
-/// P, nearly as good as any of its degree: s³ P(s²) is right to 2⁻⁵⁵ s.
+/// P, close to the best polynomial of its degree: the error of s³ P(s²) is at most 2⁻⁵⁵ s.
 const ARC_SINE: [f64; 12] = [
     0.166_666_666_666_656_53,
     0.075_000_000_002_946_9,
@@ -27,7 +27,7 @@ const ARC_SINE: [f64; 12] = [
     0.031_790_119_883_824_87,
 ];
 
-/// The arc sine, right to two units in the last place; NaN beyond ±1.
+/// The arc sine, within two units in the last place; NaN for |x| > 1.
 #[inline(always)]
 pub(crate) fn asin(x: f64) -> f64 {
     let size = x.abs();
@@ -51,7 +51,7 @@ mod tests {
     use num_dual::DualNum;
     use proptest::prelude::*;
 
-    /// Units in the last place of the exact arc sine.
+    /// The error in units in the last place of the exact arc sine.
     fn error(x: f64) -> f64 {
         let exact = Octuple::from(x).asin();
         let nearest = exact.to_f64().abs();
@@ -68,7 +68,7 @@ mod tests {
         }
     }
 
-    /// By the root it would be the double above the nearest.
+    /// The formula with the root would give the double above the nearest.
     #[test]
     fn up_to_a_half_no_root_is_taken() {
         assert_eq!(asin(0.5), 0.523_598_775_598_298_8);

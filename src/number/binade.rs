@@ -1,8 +1,8 @@
-//! A unit near the size of some numbers.
+//! A power of two near the size of some numbers, as a unit for them.
 
 use crate::number::scalar::{Leaf, Scalar, abs, constant, is_between, leaf};
 
-/// Numbers of this size, and their reciprocals, are far from both ends: 2³².
+/// Numbers between 1/2³² and 2³², and their reciprocals, are far from both limits of the exponent.
 const USUAL: f64 = 4_294_967_296.0;
 
 /// A power of two, and its reciprocal: in this unit, squares and products of some numbers neither over- nor underflow.
@@ -13,13 +13,13 @@ pub(crate) struct Binade<D> {
 }
 
 impl<D: Scalar> Binade<D> {
-    /// The largest power of two that is not above the largest of the numbers, within 2⁻¹⁰²² … 2¹⁰²²; or 1 where the numbers are
-    /// of usual size, which changes no digit.
+    /// The largest power of two that is not above the largest of the numbers, within 2⁻¹⁰²² … 2¹⁰²²; or 1 where the
+    /// largest number is of usual size, which changes no digit.
     #[inline]
     pub(crate) fn of(numbers: impl IntoIterator<Item = D>) -> Self {
         let least = D::Leaf::from(f64::MIN_POSITIVE);
         let largest = numbers.into_iter().fold(least, |largest, x| largest.or_larger(abs(leaf(x))));
-        // The unit is waited for; that none is needed can be guessed.
+        // Everything that follows would wait for the unit, whereas the processor can predict this branch.
         if D::takes_shortcuts() && D::has_extremes() && is_between(largest, 1.0 / USUAL, USUAL) {
             return Self { unit: D::one(), per_unit: D::one() };
         }

@@ -1,4 +1,4 @@
-//! [`Scalar`] of the numbers of `num-dual` that carry derivatives.
+//! [`Scalar`] for the numbers of `num-dual` that carry derivatives.
 
 use crate::number::scalar::{Scalar, asin, atan2, divide, exp_m1, norm, norm_and_direction};
 use nalgebra::{Const, U1};
@@ -38,7 +38,7 @@ macro_rules! first_order {
                 }
                 result
             }
-            /// dn = (I − n nᵀ) dx/|x|, summed from terms n_b (n_b dx_c − n_c dx_b), so that nothing cancels that need not.
+            /// dn = (I − n nᵀ) dx/|x|, summed from terms n_b (n_b dx_c − n_c dx_b) to avoid needless cancellation.
             #[inline]
             fn norm_and_direction_of<const COUNT: usize>(x: [Self; COUNT]) -> (Self, [Self; COUNT]) {
                 let (length, n) = norm_and_direction(x.map(|x| x.re));
@@ -56,7 +56,7 @@ macro_rules! first_order {
                 let mut result = Self::from_re(atan2(y.re, x.re));
                 let square = x.re * x.re + y.re * y.re;
                 result.eps = if square > 1e-30 && square < 1e30 {
-                    // The difference comes first: where the point moves straight away from the origin, it is exactly 0.
+                    // The difference is formed first: where the point moves straight away from the origin, it is exactly 0.
                     (y.eps * x.re - x.eps * y.re) * square.recip()
                 } else {
                     let length = norm([x.re, y.re]);
@@ -86,7 +86,7 @@ macro_rules! first_order {
 first_order!([] Dual<T>, constant_dual);
 first_order!([, const N: usize] DualSVec<T, N>, constant_gradient);
 
-/// Second-order duals, as the nested first-order ones that they are equal to.
+/// Second-order duals, computed as the nested first-order duals that they are equal to.
 macro_rules! second_order {
     ([$($generics:tt)*] $dual:ty, $constant:ident, $unfold:ident, $fold:ident) => {
         impl<T: Scalar $($generics)*> Scalar for $dual {

@@ -1,12 +1,12 @@
-//! Error-free transformations: sums and products together with what rounding took from them.
+//! Error-free transformations: sums and products together with their rounding errors.
 //!
-//! The rounding error of a sum or a product of two numbers is itself such a number, and a few operations tell it.
-//! Where terms cancel, these errors are what is left. A [`Pair`] carries them along, which doubles the digits; an
-//! [`Expansion`] keeps all of them, so that its sum, and the sign of it, is exact.
+//! The rounding error of a sum or a product of two numbers is itself such a number, and a few operations compute it.
+//! Where terms cancel, these errors are all that is left. A [`Pair`] carries them along, which doubles the digits; an
+//! [`Expansion`] keeps all of them, so that its sum and the sign of the sum are exact.
 //!
-//! It holds in every binary arithmetic that rounds to nearest, whatever its precision, as long as nothing over- or
-//! underflows; whoever calls scales. There is no fused multiply-add in it: not every processor has one, and emulated it
-//! takes longer than all of this.
+//! This holds in every binary arithmetic that rounds to nearest, whatever its precision, as long as nothing over- or
+//! underflows; scaling is up to the caller. Fused multiply-add is not used: not every processor has it, and emulating
+//! it takes longer than everything here.
 //!
 //! - T. J. Dekker, *A floating-point technique for extending the available precision*, Numerische Mathematik 18 (1971)
 //! - D. E. Knuth, *The Art of Computer Programming*, volume 2, section 4.2.2
@@ -19,7 +19,7 @@ use crate::number::scalar::Leaf;
 use arrayvec::ArrayVec;
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// The number high + low, where low is small beside what high was summed from.
+/// The number high + low, where low is small compared with the terms that high was summed from.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Pair<L> {
     pub(crate) high: L,
@@ -55,14 +55,14 @@ impl<L: Leaf> Pair<L> {
         if self.high < 0.0 { -self } else { self }
     }
 
-    /// Rounded.
+    /// The rounded value.
     #[inline]
     pub(crate) fn value(self) -> L {
         self.high + self.low
     }
 }
 
-/// A number as a sum of two that have half its digits each (Veltkamp's splitting): their products are exact.
+/// Splits a number into a sum of two with half its digits each (Veltkamp), so that products of the parts are exact.
 #[inline]
 fn halves<L: Leaf>(x: L) -> [L; 2] {
     let large = x * const { half_of_digits(L::EPSILON) } + x;
@@ -94,7 +94,7 @@ impl<L: Leaf> Neg for Pair<L> {
     }
 }
 
-/// To twice the digits of the numbers, in proportion to the sizes of the terms.
+/// Accurate to twice the digits of the numbers, relative to the sizes of the terms.
 impl<L: Leaf> Add for Pair<L> {
     type Output = Self;
     #[inline]
@@ -112,7 +112,7 @@ impl<L: Leaf> Sub for Pair<L> {
     }
 }
 
-/// To twice the digits of the numbers.
+/// Accurate to twice the digits of the numbers.
 impl<L: Leaf> Mul<L> for Pair<L> {
     type Output = Self;
     #[inline]
@@ -122,7 +122,7 @@ impl<L: Leaf> Mul<L> for Pair<L> {
     }
 }
 
-/// An exact sum of at most N numbers, kept as parts that do not overlap, smaller ones first; none of them is 0.
+/// An exact sum of at most N numbers, kept as non-overlapping non-zero parts, smallest first.
 #[derive(Clone, Debug)]
 pub(crate) struct Expansion<L, const N: usize>(ArrayVec<L, N>);
 
@@ -151,7 +151,7 @@ impl<L: Leaf, const N: usize> Expansion<L, N> {
         }
     }
 
-    /// Adds a b, which is two numbers.
+    /// Adds the product a b, which is a sum of two numbers.
     pub(crate) fn add_product(&mut self, a: L, b: L) {
         if a != 0.0 && b != 0.0 {
             let Pair { high, low } = Pair::product(a, b);
@@ -160,20 +160,21 @@ impl<L: Leaf, const N: usize> Expansion<L, N> {
         }
     }
 
-    /// Adds a sum times a factor, which is two numbers for each of the sum.
+    /// Adds a multiple of another sum: two numbers for each of its parts.
     pub(crate) fn add_multiple<const M: usize>(&mut self, sum: &Expansion<L, M>, factor: L) {
         for &part in &sum.0 {
             self.add_product(part, factor);
         }
     }
 
-    /// Rounded; 0 only if the sum is 0, and of the right sign, since the last part is larger than all others together.
+    /// The rounded value. It is 0 only if the sum is 0, and has the right sign, since the last part is larger than all
+    /// others together.
     pub(crate) fn value(&self) -> L {
         self.0.iter().fold(L::zero(), |sum, &part| sum + part)
     }
 }
 
-/// A sum of products of four numbers each, of the right sign: every product and the sum are exact, and rounded in the end.
+/// A sum of products of four numbers each, of the right sign: products and sum are exact, and rounded once at the end.
 pub(crate) fn exact_sum<L: Leaf>(products: impl IntoIterator<Item = [L; 4]>) -> L {
     let mut sum = Expansion::<L, 144>::new();
     for [a, b, c, d] in products {
@@ -203,7 +204,7 @@ mod tests {
         x.re().into()
     }
 
-    /// Both sides are the rounded value of one exact number.
+    /// Whether high + low is exact: both sides are the rounded value of one exact number.
     fn is_exact<L: Leaf>(Pair { high, low }: Pair<L>, exact: Octuple) -> bool {
         wide(high) + wide(low) == exact
     }
@@ -277,7 +278,7 @@ mod tests {
                 sum.add_product(a, b);
             }
             multiple.add_multiple(&sum, -3.0);
-            // All that is left is the change of one factor times the other.
+            // What remains is the change of one factor times the other factor.
             let left = (changed - a) * b;
             prop_assert_eq!((sum.value(), multiple.value()), (left, left * -3.0));
         }

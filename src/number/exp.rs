@@ -6,10 +6,10 @@ use crate::number::angle::beyond;
 use crate::number::scalar::is_between;
 use std::f64::consts::LOG2_E;
 
-/// ln 2 in two parts: a thousand times the first is still a double.
+/// ln 2 in two parts: the first has trailing zeros, so that a thousand times it is still a double.
 const LN_2_HIGH: f64 = 0.693_147_180_369_123_8;
 const LN_2_LOW: f64 = 1.908_214_929_270_587_7e-10;
-/// P, nearly as good as any of its degree: r² P(r) is right to 2⁻⁵⁹ r.
+/// P, close to the best polynomial of its degree: the error of r² P(r) is at most 2⁻⁵⁹ r.
 const EXPONENTIAL: [f64; 12] = [
     0.5,
     0.166_666_666_666_666_66,
@@ -24,13 +24,13 @@ const EXPONENTIAL: [f64; 12] = [
     2.091_468_696_808_687_6e-9,
     1.608_432_788_395_260_3e-10,
 ];
-/// What is added to this is rounded to a whole number, which is then in its lowest bits: 1.5 × 2⁵².
+/// Adding this, 1.5 × 2⁵², rounds a number to an integer, which is then in the lowest bits.
 const WHOLE: f64 = 6_755_399_441_055_744.0;
-/// Between these sizes 2ᵏ is a double, and r is not lost.
+/// Between these sizes 2ᵏ is a double, and r does not underflow.
 const SMALL: f64 = 1e-300;
 const LARGE: f64 = 700.0;
 
-/// eˣ − 1, right to one unit in the last place; special values as those of [`f64::exp_m1`].
+/// eˣ − 1, within one unit in the last place; special values as in [`f64::exp_m1`].
 #[inline]
 pub(crate) fn exp_m1(x: f64) -> f64 {
     if is_between(x.abs(), SMALL, LARGE) { usual(x) } else { extreme(x) }
@@ -42,16 +42,16 @@ fn usual(x: f64) -> f64 {
     let k = shifted - WHOLE;
     let (above, below) = (x - k * LN_2_HIGH, k * LN_2_LOW);
     let r = above - below;
-    // What is above the lowest bits of the whole number falls out of the double, and 1023 is the exponent of 1.
+    // The shift discards all bits above those of the integer; 1023 is the exponent of 1.
     let power = f64::from_bits((shifted.to_bits() << 52).wrapping_add(1.0_f64.to_bits()));
     let (more, most) = (power * r, power - 1.0);
     let sum = most + more;
-    // What r and the sum have lost.
+    // The rounding errors of r and of the sum.
     let lost = power * ((above - r) - below) + ((most - sum) + more);
     sum + (more * beyond(&EXPONENTIAL, r) + lost)
 }
 
-/// Zero, beside it, beyond what has a power of two, or no number.
+/// For x that is NaN, near zero, or so large that 2ᵏ is no double.
 #[cold]
 fn extreme(x: f64) -> f64 {
     x.exp_m1()
@@ -64,7 +64,7 @@ mod tests {
     use num_dual::DualNum;
     use proptest::prelude::*;
 
-    /// Units in the last place of the exact value.
+    /// The error in units in the last place of the exact value.
     fn error(x: f64) -> f64 {
         let exact = DualNum::exp_m1(&Octuple::from(x));
         let nearest = exact.to_f64().abs();

@@ -1,13 +1,13 @@
-//! What [`Octuple`](crate::Octuple) and [`Single`](crate::Single) have in common, said once: the operators, the
-//! traits of num-traits and `num_dual::DualNum`, all in terms of the float inside and a set of functions on it.
+//! What [`Octuple`](crate::Octuple) and [`Single`](crate::Single) have in common: the operators, the traits of
+//! num-traits and `num_dual::DualNum`, all in terms of the inner float and a set of functions on it.
 //!
-//! The invariant behind every impl: an operation of the newtype is exactly one operation of the float inside, after
-//! any `f64` operand went through `From<f64>`.
+//! The invariant behind every impl: an operation of the newtype is exactly one operation of the inner float, after any
+//! `f64` operand has gone through `From<f64>`.
 
 pub(crate) mod spherical_bessel;
 
-/// `$Op` of the newtype with itself by value and by reference, and with `f64`; `$OpAssign` likewise; all of them
-/// `$function` of the two floats inside.
+/// `$Op` of the newtype with itself, by value and by reference, and with `f64`; `$OpAssign` likewise. Each calls
+/// `$function` on the two inner floats.
 macro_rules! newtype_operator {
     ($type:ident, $op:ident, $method:ident, $op_assign:ident, $method_assign:ident, $function:path) => {
         impl ::std::ops::$op for $type {
@@ -163,11 +163,11 @@ macro_rules! newtype_number {
             type FromStrRadixErr = ::std::num::ParseFloatError;
             /// Parses a decimal literal; a radix other than 10 is an error.
             fn from_str_radix(text: &str, radix: u32) -> Result<Self, Self::FromStrRadixErr> {
-                // The empty literal is the one way to make a ParseFloatError.
+                // Parsing an empty literal is the only way to create a ParseFloatError.
                 if radix == 10 { text } else { "" }.parse()
             }
         }
-        /// Signs as `f64` has them: the sign bit decides, zeros included.
+        /// Signs as for `f64`: the sign bit decides, also for zeros.
         impl ::num_traits::Signed for $type {
             #[inline]
             fn abs(&self) -> Self {
@@ -193,7 +193,7 @@ macro_rules! newtype_number {
     };
 }
 
-/// `num_dual::DualNum` and its two companions, each function being `$math::function` on the float inside.
+/// `num_dual::DualNum` and its two companions, each function being `$math::function` on the inner float.
 macro_rules! newtype_dual_num {
     ($type:ident, $math:ident) => {
         impl ::num_dual::DualStruct for $type {
@@ -265,7 +265,7 @@ macro_rules! newtype_dual_num {
     };
 }
 
-/// Read and written as the float inside.
+/// Parsed and formatted like the inner float.
 macro_rules! newtype_text {
     ($type:ident: $($trait:ident),*) => {
         impl ::std::str::FromStr for $type {

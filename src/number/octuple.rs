@@ -1,4 +1,4 @@
-//! [`Octuple`]: 237-bit arithmetic, the reference against which everything else is measured.
+//! [`Octuple`]: 237-bit arithmetic, the reference for all other computations.
 
 mod bits;
 mod convert;
@@ -19,16 +19,16 @@ use crate::number::power::power_of_two;
 use crate::number::scalar::{Leaf, Scalar, itself, sum_of_squares};
 
 /// A binary floating point number of 237 significant bits (71 decimal digits) and exponents up to ±262143: IEEE 754
-/// binary256, by the crate `f256`, with what that crate lacks or gets wrong made good.
+/// binary256, by the crate `f256`, with that crate's gaps and defects repaired.
 ///
-/// It is `Copy`, it implements [`DualNum`] over `f64`, so every formula of this crate and every
-/// dual number of `num-dual` runs over it unchanged, and the same program gives the same bits on every machine:
-/// all of it is integer arithmetic.
+/// It is `Copy`, it implements [`DualNum`] over `f64`, so every formula of this crate and every dual number of
+/// `num-dual` works with it unchanged. The same program gives the same bits on every machine, because all of it is
+/// integer arithmetic.
 ///
 /// # Accuracy
 ///
-/// In units in the last place (ulps) of the result, where that is a normal number. Each bound is checked against
-/// exact values by `tests/octuple.rs`, which holds the same table.
+/// Errors are in units in the last place (ulps) of the result, where that is a normal number. Each bound is checked
+/// against exact values by `tests/octuple.rs`, which holds the same table.
 ///
 /// | operation | error at most |
 /// |---|---|
@@ -106,7 +106,7 @@ impl Leaf for Octuple {
     }
 }
 
-/// The range of exponents is so wide that no square of a double leaves it.
+/// The range of exponents is so wide that the square of a double never over- or underflows.
 impl Scalar for Octuple {
     itself!();
     const ZERO: Self = Self(f256::ZERO);

@@ -1,4 +1,4 @@
-//! [`Ordinary`]: a double of several that are computed at once.
+//! [`Ordinary`]: one of several doubles that are computed together.
 
 use crate::number::angle::usual_angles;
 use crate::number::asin::asin;
@@ -8,10 +8,10 @@ use crate::number::newtype::{newtype_dual_num, newtype_number, newtype_text};
 use crate::number::scalar::Scalar;
 use num_traits::FromPrimitive;
 
-/// An `f64` that never takes another way where it is extreme: it becomes NaN there, without a branch.
+/// An `f64` that becomes NaN where a formula would branch for extreme numbers.
 ///
-/// A loop over rows of a formula then has no branch that the compiler could not turn into a choice between numbers, and takes as
-/// many rows at once as the vectors of a processor hold. What is not NaN has the bits that it has in `f64`.
+/// A loop over rows of a formula then has no branch that the compiler could not turn into a selection, and it
+/// vectorises. Results that are not NaN have the same bits as in `f64`.
 #[derive(Clone, Copy, PartialEq, PartialOrd)]
 #[repr(transparent)]
 pub(crate) struct Ordinary(f64);

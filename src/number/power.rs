@@ -1,6 +1,6 @@
-//! Powers of two: to scale by one of them does not round.
+//! Powers of two: scaling by one of them does not round.
 
-/// The bits of the exponent.
+/// The exponent bits.
 const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
 /// The exponent of 2¹⁰²², whose reciprocal is still a normal number.
 const LARGEST: u64 = 0x7fd0_0000_0000_0000;
@@ -18,7 +18,7 @@ pub(crate) const fn power_of_two(exponent: i64) -> f64 {
     f64::from_bits(((exponent + 1023) as u64) << 52)
 }
 
-/// The exponent of a positive normal number: of the largest power of two that is not above it.
+/// The exponent of a positive normal number, which is that of the largest power of two not above it.
 #[cfg(feature = "verify")]
 pub(crate) const fn exponent(x: f64) -> i64 {
     (x.to_bits() >> 52).cast_signed() - 1023

@@ -1,10 +1,10 @@
-//! Bringing values from memory before they are read.
+//! Fetching values from memory before they are read.
 
-/// Bytes of a cache line, which come together.
+/// Bytes of a cache line, the unit in which memory is fetched.
 pub(crate) const LINE: usize = 64;
 
-/// Asks the processor to bring a value from memory into its cache, because it will be read soon. It is a hint: where there
-/// is no such instruction nothing happens.
+/// Asks the processor to fetch a value into its cache because it will be read soon. It is a hint: it does nothing on
+/// processors without such an instruction.
 #[cfg_attr(test, mutants::skip)] // No result depends on it.
 #[inline]
 pub(crate) fn prefetch<V>(value: &V) {

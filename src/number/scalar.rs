@@ -1,28 +1,28 @@
-//! What a formula may do to a number.
+//! The numbers that formulas compute with.
 //!
-//! A formula is written once, generic over [`Scalar`], and runs in `f64`, in other numbers without derivatives (the exact
-//! reference of 237 bits, single precision), and in every dual number of `num-dual` over these.
+//! A formula is written once, generic over [`Scalar`], and runs in `f64`, in other numbers without derivatives (the
+//! exact reference of 237 bits, single precision), and in every dual number of `num-dual` over these.
 //!
-//! Three functions live here because the plain ones lose their derivative, or their value, at ordinary positions
-//! of a joint. [`norm`] neither overflows nor underflows and has derivative 0 at the zero vector; [`atan2`] has the
-//! right derivative at ±90° and ±180°; [`abs`] has derivative 0 at 0. All three hold for second derivatives too. [`asin`]
+//! Three functions are here because the standard ones lose their derivative or their value at ordinary positions of a
+//! joint. [`norm`] neither overflows nor underflows and has derivative 0 at the zero vector; [`atan2`] has the right
+//! derivative at ±90° and ±180°; [`abs`] has derivative 0 at 0. All three hold for second derivatives too. [`asin`]
 //! has the same bits on every machine, and no branch.
 //!
-//! Comparisons between dual numbers look at the real part only, which is what a branch of a formula means; to
-//! compare derivatives, compare the parts.
+//! Comparisons between dual numbers use the real part only, which is what a branch of a formula means; to compare
+//! derivatives, compare the parts.
 
 use crate::number::power::{power_of_two, power_of_two_below};
 use num_dual::DualNum;
 
 /// A number that formulas compute with: real, or carrying derivatives.
 ///
-/// `Primitive = f64` lets formulas be written with plain literals, `2.0 * x` as `x * 2.0`, for every scalar alike.
-/// The methods are the guarded elementary functions; call them by the free functions [`norm`], [`atan2`], [`asin`] and
+/// `Primitive = f64` lets formulas use plain literals for every scalar, with `2.0 * x` written as `x * 2.0`. The
+/// methods are the guarded elementary functions; call them by the free functions [`norm`], [`atan2`], [`asin`] and
 /// [`abs`].
 pub trait Scalar: DualNum<Primitive = f64> + Copy + Send + Sync + nalgebra::Scalar {
     /// The number without its derivatives.
     type Leaf: Leaf;
-    /// 0, known where a formula is compiled: derivatives that are the same everywhere are copied, and not written one by one.
+    /// 0, as a compile-time constant: derivatives that are the same everywhere are copied rather than written one by one.
     const ZERO: Self;
     /// 1.
     const ONE: Self;
@@ -66,15 +66,15 @@ pub trait Scalar: DualNum<Primitive = f64> + Copy + Send + Sync + nalgebra::Scal
     fn choice_of<const N: usize>(choose: impl Fn() -> [Self; N]) -> [Self; N] {
         choose()
     }
-    /// Whether what is extreme, and would over- or underflow, is computed in another way. Where several rows of a batch are computed
-    /// at once it is not, lest the others wait for it: its numbers are NaN, results with them, and the row is computed again by
-    /// itself.
+    /// Whether extreme numbers, which would over- or underflow, are computed by a separate branch. Where several rows
+    /// of a batch are computed together they are not, since all rows would wait: they become NaN, as do their results,
+    /// and the row is computed again on its own.
     #[inline]
     fn has_extremes() -> bool {
         true
     }
-    /// Whether a test is made that saves time and changes no result. A graph is written down without it: what it saves is in it
-    /// anyway, and each test doubles the ways through.
+    /// Whether to test for shortcuts, which save time and change no result. Recording a graph omits them: it contains
+    /// the full computation anyway, and each test would double the number of paths.
     #[inline]
     fn takes_shortcuts() -> bool {
         true
@@ -88,12 +88,12 @@ pub trait Scalar: DualNum<Primitive = f64> + Copy + Send + Sync + nalgebra::Scal
     }
 }
 
-/// A number without derivatives, the leaf of a tree of dual numbers: `f64` or another one of any precision.
+/// A number without derivatives, the innermost type of nested dual numbers: `f64` or another one of any precision.
 ///
 /// Its arithmetic is binary and rounds to nearest.
 ///
-/// An iteration, such as the search for a root, runs on these; what it found becomes a [`constant`] again, and one
-/// step of Newton's method on the full scalar brings the derivatives (the implicit function theorem).
+/// Iterations, such as a root search, run on leaves; the result becomes a [`constant`] again, and one step of Newton's
+/// method on the full scalar supplies the derivatives (the implicit function theorem).
 pub trait Leaf: Scalar<Leaf = Self> {
     /// The distance from 1 to the next larger number.
     const EPSILON: f64;
@@ -101,11 +101,11 @@ pub trait Leaf: Scalar<Leaf = Self> {
     fn pi() -> Self;
     /// See [`e_minus_one`].
     fn e_minus_one() -> Self;
-    /// Constants: the doubles nearest to them, and what defines them, for numbers of more digits.
+    /// Constants, given by the nearest doubles and by a definition for numbers with more digits.
     ///
-    /// `f64` takes the doubles as they are, so that no formula pays for the digits it does not need.
+    /// `f64` takes the doubles as they are, so that no formula pays for digits it does not need.
     fn constants<const N: usize>(nearest: [f64; N], definition: impl FnOnce() -> [Self; N]) -> [Self; N];
-    /// The larger of two numbers; this one where the other is NaN.
+    /// The larger of two numbers; `self` where the other is NaN.
     #[inline]
     fn or_larger(self, other: Self) -> Self {
         if other > self { other } else { self }
@@ -115,20 +115,20 @@ pub trait Leaf: Scalar<Leaf = Self> {
     fn power_of_two_below(self) -> [Self; 2] {
         power_of_two_below(self.re()).map(Self::from)
     }
-    /// A sum of at most 18 products of four numbers each, of the right sign: nothing is rounded but the sum in the end.
+    /// A sum of at most 18 products of four numbers each, of the right sign: only the final sum is rounded.
     fn exact_sum(products: impl IntoIterator<Item = [Self; 4]>) -> Self;
-    /// What a search finds from these numbers.
+    /// The result of a search from these numbers.
     #[inline]
     fn find<S: Search<N>, const N: usize>(from: [Self; N]) -> Self {
         S::find(from)
     }
 }
 
-/// An iteration that takes as many steps as its numbers need; where a formula is written down, it is one operation.
+/// An iteration with as many steps as its numbers need; in a recorded graph it is a single operation.
 pub trait Search<const N: usize> {
-    /// What it is called in other languages.
+    /// Its name in other languages.
     const NAME: &'static str;
-    /// What it finds from these numbers.
+    /// The result of the search from these numbers.
     fn find<L: Leaf>(from: [L; N]) -> L;
 }
 
@@ -149,7 +149,7 @@ pub fn constant<D: Scalar>(x: D::Leaf) -> D {
     D::constant_of(x)
 }
 
-/// A number with another value; derivatives stay.
+/// A number with another value and the same derivatives.
 #[inline]
 pub(crate) fn with_leaf<D: Scalar>(x: D, value: D::Leaf) -> D {
     x - constant::<D>(leaf(x)) + constant::<D>(value)
@@ -165,7 +165,7 @@ pub fn pi<D: Scalar>() -> D {
     constant(D::Leaf::pi())
 }
 
-/// e − 1, right to an ulp in every scalar.
+/// e − 1, within an ulp in every scalar.
 ///
 /// ```
 /// assert_eq!(jointproof::number::scalar::e_minus_one::<f64>(), 1.0_f64.exp_m1());
@@ -175,7 +175,7 @@ pub fn e_minus_one<D: Scalar>() -> D {
     constant(D::Leaf::e_minus_one())
 }
 
-/// √(Σ xᵢ²), right to about an ulp for every representable input, subnormal or near the overflow threshold.
+/// √(Σ xᵢ²), within about an ulp for every representable input, also if subnormal or near the overflow threshold.
 ///
 /// At the zero vector the derivative is 0, the minimum-norm subgradient.
 ///
@@ -190,9 +190,9 @@ pub fn norm<D: Scalar, const N: usize>(x: [D; N]) -> D {
     D::norm_of(x)
 }
 
-/// Whether the length of a vector is a normal number, so that it has a direction. The sum of the magnitudes tells without a
-/// root, but for lengths near the limit (for 16 components at most, whose length is a quarter of their sum at least). Of rows that are
-/// computed together such a one is told that it has none, and looked at by itself.
+/// Whether the length of a vector is a normal number, so that it has a direction. The sum of the magnitudes decides without a
+/// root, except for lengths near the limit (the length of up to 16 components is at least a quarter of that sum). When rows are
+/// computed together, a row near the limit counts as having no length, and is computed again on its own.
 #[inline]
 pub(crate) fn has_length<D: Scalar, const N: usize>(x: [D; N]) -> bool {
     const { assert!(N <= 16) };
@@ -213,20 +213,21 @@ pub fn direction<D: Scalar, const N: usize>(x: [D; N]) -> [D; N] {
     norm_and_direction(x).1
 }
 
-/// Both of [`norm`] and [`direction`], for one square root.
+/// Both [`norm`] and [`direction`], with a single square root.
 #[inline]
 pub fn norm_and_direction<D: Scalar, const N: usize>(x: [D; N]) -> (D, [D; N]) {
     D::norm_and_direction_of(x)
 }
 
-/// The direction of what has this length.
+/// The direction of a vector of this length.
 #[inline(always)]
 #[expect(clippy::inline_always, reason = "a call would need the components in memory, on the way that is usual too")]
 pub(crate) fn direction_of_length<D: Scalar, const N: usize>(x: [D; N], length: D) -> [D; N] {
     if length >= f64::MIN_POSITIVE { divide(x, length) } else { direction_of_subnormal(x) }
 }
 
-/// A subnormal length has lost digits that the direction needs; a power of two brings them back.
+/// The direction of a vector of subnormal length. Such a length has lost digits that the direction needs; scaling by a
+/// power of two recovers them.
 #[inline(always)]
 #[expect(clippy::inline_always, reason = "a call would need the components in memory, on the way that is usual too")]
 fn direction_of_subnormal<D: Scalar, const N: usize>(x: [D; N]) -> [D; N] {
@@ -237,10 +238,10 @@ fn direction_of_subnormal<D: Scalar, const N: usize>(x: [D; N]) -> [D; N] {
 
 /// The angle of the point (x, y), in (−π, π], with the derivative (x dy − y dx)/(x² + y²) everywhere but at the origin.
 ///
-/// In `f64` it is right to two units in the last place; where no coordinate is beyond 1e300 it has the same bits on every machine.
+/// In `f64` it is within two units in the last place; where no coordinate exceeds 1e300 it has the same bits on every machine.
 ///
-/// At the origin the angle has no derivative; this function then returns derivative 0, and a formula that can get
-/// there rejects the input (`Formula::validate`).
+/// At the origin the angle has no derivative; this function then returns derivative 0, and a formula that can get there should
+/// reject the input (`Formula::validate`).
 ///
 /// ```
 /// use jointproof::number::scalar::atan2;
@@ -254,7 +255,7 @@ pub fn atan2<D: Scalar>(y: D, x: D) -> D {
     D::angle_of(y, x)
 }
 
-/// [`atan2`] of several points, which in doubles takes hardly longer than of one.
+/// [`atan2`] of several points, which in doubles takes hardly longer than for one.
 ///
 /// ```
 /// use jointproof::number::scalar::{angles, atan2};
@@ -266,9 +267,9 @@ pub fn angles<D: Scalar, const N: usize>(y: [D; N], x: [D; N]) -> [D; N] {
     D::angles_of(y, x)
 }
 
-/// The arc sine, with the derivative 1/√(1 − x²), which is infinite at ±1; beyond, it is NaN.
+/// The arc sine, with the derivative 1/√(1 − x²), which is infinite at ±1; NaN for |x| > 1.
 ///
-/// In `f64` it is right to two units in the last place, and has the same bits on every machine.
+/// In `f64` it is within two units in the last place, and has the same bits on every machine.
 ///
 /// ```
 /// use jointproof::number::scalar::asin;
@@ -283,7 +284,7 @@ pub fn asin<D: Scalar>(x: D) -> D {
 
 /// eˣ − 1, with the derivative eˣ.
 ///
-/// In `f64` it is right to one unit in the last place; where 1e-300 < |x| < 700 it has the same bits on every machine.
+/// In `f64` it is within one unit in the last place; where 1e-300 < |x| < 700 it has the same bits on every machine.
 ///
 /// ```
 /// use jointproof::number::scalar::exp_m1;
@@ -307,8 +308,7 @@ pub fn abs<D: Scalar>(x: D) -> D {
     D::abs_of(x)
 }
 
-/// Numbers that comparisons choose, where nothing that follows depends on how they came out: whoever writes the operations
-/// down can bring the sides together here.
+/// Numbers selected by comparisons on which nothing else depends: a recorder of operations can join the branches here.
 ///
 /// ```
 /// use jointproof::number::scalar::choice;
@@ -321,14 +321,14 @@ pub fn choice<D: Scalar, const N: usize>(choose: impl Fn() -> [D; N]) -> [D; N] 
     D::choice_of(choose)
 }
 
-/// Whether a number lies between these, without a branch that would keep rows from being computed at once.
+/// Whether a number lies strictly between these bounds, without a branch that would prevent vectorisation.
 #[inline]
 #[expect(clippy::needless_bitwise_bool, reason = "the branch is what is avoided")]
 pub(crate) fn is_between<D: Scalar>(x: D, least: f64, most: f64) -> bool {
     (x > least) & (x < most)
 }
 
-/// The number, or NaN where it is [extreme](Scalar::has_extremes). Where another way begins,
+/// The number, or NaN where it is [extreme](Scalar::has_extremes). Use it where a formula branches for extreme numbers:
 ///
 /// ```text
 /// if is_usual || !D::has_extremes() { number_if(is_usual, x) } else { … }
@@ -341,7 +341,7 @@ pub(crate) fn number_if<D: Scalar>(is_usual: bool, x: D) -> D {
 /// −1, 0 or 1: the derivative of [`abs`].
 #[inline]
 pub fn sign<D: Scalar>(x: D) -> D {
-    // A difference of two selections compiles to masks; a branch would be mispredicted on every other load.
+    // A difference of two selections compiles to masks; a branch would be mispredicted for every other load.
     let one_if = |condition| if condition { 1.0 } else { 0.0 };
     let [sign] = choice(|| [D::from(one_if(x > 0.0) - one_if(x < 0.0))]);
     sign

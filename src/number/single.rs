@@ -8,12 +8,12 @@ use crate::number::newtype::{newtype_dual_num, newtype_number, newtype_text};
 use crate::number::scalar::{Leaf, Scalar, e_minus_one, itself, pi};
 use crate::number::squares::Squares;
 
-/// An `f32` that reads and speaks `f64`: every operation rounds to 24 bits, every `f64` operand is rounded to `f32`
-/// on entry (in comparisons too, so that `Single::from(0.1) == 0.1`).
+/// An `f32` with an interface of `f64`: every operation rounds to 24 bits, every `f64` operand is rounded to `f32` on
+/// entry (in comparisons too, so that `Single::from(0.1) == 0.1`).
 ///
-/// It answers what a formula would cost and lose in single precision. Its functions are those of `f32` in the
-/// standard library, whose last bit may differ between platforms; the spherical Bessel functions are the project's
-/// own, within four ulps of the larger of the value and 1/|x|.
+/// It shows what a formula would cost and lose in single precision. Its functions are those of `f32` in the standard
+/// library, whose last bit may differ between platforms; the spherical Bessel functions are the project's own, within
+/// four ulps of the larger of the value and 1/|x|.
 ///
 /// ```
 /// # use jointproof::Single;
@@ -81,7 +81,7 @@ impl From<f64> for Single {
     }
 }
 
-/// Rounds once: an integer does not pass through `f64` on its way.
+/// Rounds once: integers are not converted through `f64`.
 impl FromPrimitive for Single {
     fn from_i64(n: i64) -> Option<Self> {
         f32::from_i64(n).map(Self)

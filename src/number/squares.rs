@@ -1,9 +1,9 @@
-//! Lengths in numbers whose squares may over- or underflow.
+//! Lengths of vectors whose squared components may over- or underflow.
 
 use crate::number::power::power_of_two;
 use crate::number::scalar::{Scalar, abs, direction_of_length, is_between, number_if, sum_of_squares};
 
-/// Where squares can be summed as they are, and the power of two that brings everything else there.
+/// The range in which sums of squares need no scaling, and the power of two that scales everything else into it.
 pub(crate) struct Squares {
     smallest: f64,
     largest: f64,
@@ -11,7 +11,7 @@ pub(crate) struct Squares {
 }
 
 impl Squares {
-    /// From the exponents of the two limits of the sum, and of the factor.
+    /// From the exponents of the two limits of the sum and of the factor.
     pub(crate) const fn new(smallest: i64, largest: i64, rescale: i64) -> Self {
         Self { smallest: power_of_two(smallest), largest: power_of_two(largest), rescale: power_of_two(rescale) }
     }
@@ -23,7 +23,7 @@ impl Squares {
         if is_usual || !D::has_extremes() { number_if(is_usual, sum.sqrt()) } else { self.rescaled(x) }
     }
 
-    /// The norm and the direction, of numbers with extremes; of what is usual nobody asks whether its length is subnormal.
+    /// The norm and the direction, also of extreme numbers. Vectors of usual size skip the test for a subnormal length.
     #[inline]
     pub(crate) fn norm_and_direction<D: Scalar, const N: usize>(&self, x: [D; N]) -> (D, [D; N]) {
         let sum = sum_of_squares(x);

@@ -1,20 +1,20 @@
-//! A formula at many points: a column for every input, a column for every result.
+//! A formula at many points, with a column for every input and for every result.
 //!
-//! Rows are shared out to the threads of [rayon](rayon::ThreadPool::install). Every row is checked, and has the bits that
-//! [`formula::value_and_jacobian`] gives it alone, whatever the number of threads.
+//! Rows are distributed among the threads of [rayon](rayon::ThreadPool::install). Every row is checked, and has the same bits as
+//! from [`formula::value_and_jacobian`], whatever the number of threads.
 //!
-//! Of a formula of simple operations and comparisons several rows are computed at once, in the vectors of the processor; the
-//! feature `batch-avx512` adds wider ones, where there are any. Those among which one is so large or so small that it is computed
-//! in another way are then computed one by one.
+//! Formulas of simple operations and comparisons are vectorised over several rows; the feature `batch-avx512` adds wider vectors
+//! on processors that have them. If a group contains numbers so large or small that they need a separate branch, its rows are
+//! computed one by one.
 //!
-//! A column is a view of `ndarray`: of a slice, by `into`, or of numbers any stride apart. With a stride of 0, which
-//! `broadcast` gives, one number stands for all rows.
+//! A column is a view of `ndarray`: of a slice, by `into`, or of numbers with any stride. With a stride of 0, as from
+//! `broadcast`, one number serves all rows.
 //!
-//! Columns in one piece are fastest, and fastest of all where they do not begin a multiple of 4096 bytes apart, as large vectors
-//! do that are allocated one by one: there they share their places in the cache. [`columns`] makes some that do not, and that
-//! begin with a line of the cache, as the vectors of the processor are read and written fastest.
+//! Contiguous columns are fastest, provided that their starts are not a multiple of 4096 bytes apart, as those of separately
+//! allocated large vectors are: such columns compete for the same cache sets. [`columns`] avoids this and aligns each column to a
+//! cache line, which is fastest for vector loads and stores.
 //!
-//! Most entries of many Jacobians are 0 at every point. They have no column: [`entries`] tells those that do.
+//! Many Jacobians have mostly entries that are 0 at every point. These have no column; [`entries`] lists those that do.
 //!
 //! ```
 //! use jointproof::toolkit::batch::{entries, value_and_jacobian};
@@ -31,9 +31,9 @@
 //! # Ok::<(), jointproof::toolkit::batch::Error>(())
 //! ```
 //!
-//! A dense Jacobian is an array of zeros, of which the columns of the entries are handed in.
+//! For a dense Jacobian, allocate an array of zeros and pass the columns of these entries.
 //!
-//! What is wrong names the row and the input. All other rows are computed:
+//! Errors name the row and the input. All other rows are computed:
 //!
 //! ```
 //! # use jointproof::toolkit::batch::value;
@@ -69,13 +69,13 @@ use job::Value;
 use ndarray::{Array2, Axis, Slice};
 use task::Task;
 
-/// So many numbers are worth a thread: to wake one takes as long as some thousands.
+/// The least amount of numbers worth a thread: waking one takes as long as computing some thousands.
 const WORTH: usize = 1 << 17;
-/// So many numbers the cache of a core has at hand: more are asked for before they are needed.
+/// The amount of numbers that fits the cache of a core; beyond it, numbers are prefetched.
 const AT_HAND: usize = 1 << 17;
 
-/// Columns of zeros that do not share their places in the cache, and each begin with one of its lines: the rows of a table that is
-/// a little wider than it shows.
+/// Columns of zeros, each aligned to a cache line and placed so that they do not compete for the same cache sets: the
+/// rows of a table that is slightly wider than the view returned.
 ///
 /// ```
 /// use jointproof::toolkit::batch::{ArrayViewMut1, columns};
@@ -86,7 +86,7 @@ const AT_HAND: usize = 1 << 17;
 /// ```
 pub fn columns(count: usize, rows: usize) -> Array2<f64> {
     const DOUBLES: usize = LINE / size_of::<f64>();
-    // An odd number of lines of the cache, with room for what stands before the first of them.
+    // An odd number of cache lines, with space for the padding before the first of them.
     let width = ((rows.div_ceil(DOUBLES) + 1) | 1) * DOUBLES;
     let mut table: Array2<f64> = Array2::zeros((count, width));
     let before = table.as_ptr().align_offset(LINE);
@@ -94,29 +94,29 @@ pub fn columns(count: usize, rows: usize) -> Array2<f64> {
     table
 }
 
-/// The entries of the Jacobian of a formula that are not zero everywhere, each as its output and its input, counted by
-/// components in order. Of a formula that is not in the catalog these are all.
+/// The entries of the Jacobian of a formula that are not identically zero, each as the indices of an output and an
+/// input component. For a formula outside the catalog these are all entries.
 pub fn entries<F: Formula>() -> Vec<[usize; 2]> {
     let inputs = F::Inputs::<f64>::LEN;
     structure::places::<F>().map(|k| [k / inputs, k % inputs]).collect()
 }
 
-/// The value of a formula at every row, checked as [`formula::value`](crate::formula::value) checks one. There is a column for
-/// every component of the inputs, and one for every component of the value.
+/// The value of a formula at every row, each checked as in [`formula::value`](crate::formula::value). There is a
+/// column for every component of the inputs, and one for every component of the value.
 ///
 /// # Errors
-/// [`Error::Rows`] naming the first row that is refused, why, and how many there are; their results are NaN, all others are
-/// computed. The other errors are about the columns, and nothing is computed then.
+/// [`Error::Rows`], naming the first rejected row, the reason, and the number of rejected rows; their results are NaN,
+/// all others are computed. The other errors concern the columns, and nothing is computed.
 pub fn value<F: Formula>(inputs: &[ArrayView1<f64>], value: &mut [ArrayViewMut1<f64>]) -> Result<(), Error> {
     all::<F, Value>(inputs, value, None)
 }
 
-/// Value and Jacobian of a formula at every row, checked as
-/// [`formula::value_and_jacobian`](crate::formula::value_and_jacobian) checks one. The Jacobian has a column for every entry
-/// that [`entries`] tells.
+/// Value and Jacobian of a formula at every row, each checked as in
+/// [`formula::value_and_jacobian`](crate::formula::value_and_jacobian). The Jacobian has a column for every entry
+/// listed by [`entries`].
 ///
 /// # Errors
-/// As [`value`].
+/// As for [`value`].
 pub fn value_and_jacobian<F: Formula>(
     inputs: &[ArrayView1<f64>],
     value: &mut [ArrayViewMut1<f64>],

@@ -1,12 +1,12 @@
 //! The printed equation, executed.
 //!
-//! An equation is read from its LaTeX, with the symbols of its entry, and becomes a [`Graph`], as what a formula does: that
-//! gives the values and the Jacobian. So the equation that a reader sees is compared with the code, as the code is with its
-//! derivative.
+//! An equation is parsed from its LaTeX, with the symbols of its entry, into a [`Graph`], the form in which formulas
+//! are recorded too. The graph yields values and the Jacobian, with which the equation that readers see is compared
+//! with the code.
 //!
 //! # What is read
 //!
-//! An equation is a row of statements, with commas or `\quad` between them.
+//! An equation is a sequence of statements separated by commas or `\quad`.
 //!
 //! | written | means |
 //! |---|---|
@@ -15,20 +15,19 @@
 //! | `(w_1, w_2) = (…, …)` | both at once |
 //! | `g_i = …,\quad i = 1, 2` or `…\ (i = 1, 2)` | one statement for each index |
 //! | `\begin{cases} a & x > 0,\ y > 0 \\ b & \text{otherwise} \end{cases}` | the first whose comparisons all hold |
-//! | `g = \operatorname*{arg\,min}_{-1\le g\le 1} …` | where the rest is smallest; given the place, this is checked |
+//! | `g = \operatorname*{arg\,min}_{-1\le g\le 1} …` | the minimiser of the expression; a given value is checked |
 //! | `\sum_{q=1}^{5} …` | the sum of the product that follows |
 //! | `n_2`, `x_{m,k}` of **n**, **x**_m | components, by a number or by a symbol that is the number of an axis |
 //! | `\Delta x`, `\mathrm{d}x`, `X'`, `F_C^{\mathrm{int}}` | one symbol each; `f_2^2` is a power |
-//! | `\mathbf{a}\cdot\mathbf{b}`, `\times`, `\lvert\mathbf{a}\rvert` | products and length; of numbers, product and absolute value |
+//! | `\mathbf{a}\cdot\mathbf{b}`, `\times`, `\lvert\mathbf{a}\rvert` | products and length; for numbers, product and absolute value |
 //! | `\sqrt{}`, `\sin`, `\cos`, `\arcsin`, `\operatorname{atan2}`, `\operatorname{sign}`, `e^x` | functions |
-//! | `\mathbf{a}\otimes\mathbf{b}`, `\mathbf{I}`, `\mathbf{a}\times\mathbf{I}` | matrices: **a** **b**ᵀ of two vectors of a length, the unit matrix of three rows, and the one that takes **v** to **a** × **v** |
-//! | `\mathbf{i}`, `\mathbf{j}`, `\mathbf{k}`, `\mathbf{0}`, `\pi`, `e` | constants, where nobody defines the symbol |
-//! | `\mathbf{s}\times\mathbf{n}` | **n** turned by 90° to the left, in the plane |
+//! | `\mathbf{a}\otimes\mathbf{b}`, `\mathbf{I}`, `\mathbf{a}\times\mathbf{I}` | matrices: **a** **b**ᵀ for two vectors of the same length, the 3×3 unit matrix, and the one that maps **v** to **a** × **v** |
+//! | `\mathbf{i}`, `\mathbf{j}`, `\mathbf{k}`, `\mathbf{0}`, `\pi`, `e` | constants, unless the symbol is defined |
+//! | `\mathbf{s}\times\mathbf{n}` | **n** rotated by 90° to the left, in the plane |
 //! | `\text{…}` between statements | a remark, of words only |
 //!
-//! A symbol is an input of the entry, or a statement defines it, or it comes from another formula by
-//! [`Given`]. Anything else is an error with its place. Every input must be needed, and every
-//! statement.
+//! A symbol is an input of the entry, is defined by a statement, or comes from another formula by [`Given`]. Anything
+//! else is an error with its position. Every input and every statement must be used.
 //!
 //! ```
 //! use jointproof::toolkit::equation::Equation;
@@ -80,47 +79,47 @@ pub use view::View;
 /// An equation that can be executed.
 #[derive(Clone, Debug)]
 pub struct Equation {
-    /// Its value are the outputs.
+    /// The outputs are its value.
     graph: Graph,
-    /// All that is asked of it, in order.
+    /// All nodes to be evaluated, in order.
     needed: Vec<Node>,
-    /// Forms that are printed as equal.
+    /// Pairs of forms that are printed as equal.
     equal: BTreeSet<(Node, Node)>,
     smallest: Option<Smallest>,
 }
 
-/// An output that is the place where something is smallest.
+/// An output defined as the minimiser of an expression.
 #[derive(Clone, Debug)]
 struct Smallest {
-    /// Which component of the outputs.
+    /// The index among the components of the outputs.
     output: usize,
     place: Node,
     low: Node,
     high: Node,
     objective: Node,
-    /// The derivative of the objective by the place.
+    /// The derivative of the objective with respect to the minimiser.
     slope: Node,
 }
 
-/// What an equation gives at a point.
+/// The values of an equation at a point.
 pub(crate) struct Results {
     pub(crate) outputs: Vec<Octuple>,
     /// Numbers that are printed as equal.
     pub(crate) equal: Vec<(Octuple, Octuple)>,
     pub(crate) smallest: Option<SmallestAt>,
-    /// Those of all operations.
+    /// The values of all operations.
     all: Vec<Octuple>,
 }
 
-/// The place of something smallest: known, not searched.
+/// A minimiser, which is known rather than searched for.
 pub(crate) struct SmallestAt {
-    /// Which component of the outputs.
+    /// The index among the components of the outputs.
     pub(crate) output: usize,
     pub(crate) place: Octuple,
     pub(crate) low: Octuple,
     pub(crate) high: Octuple,
     pub(crate) objective: Octuple,
-    /// The derivative of the objective by the place.
+    /// The derivative of the objective with respect to the minimiser.
     pub(crate) slope: Octuple,
 }
 
@@ -128,16 +127,16 @@ impl Equation {
     /// The printed equation of a formula.
     ///
     /// # Errors
-    /// Where it cannot be read, or does not define every output from all inputs and nothing else.
+    /// If it cannot be read, or does not define every output from all inputs and nothing else.
     pub fn of(spec: &Spec, inputs: &[Field], outputs: &[Field]) -> Result<Self, Error> {
         Self::new(spec.id, spec.latex, spec.given, &named(inputs)?, &named(outputs)?)
     }
 
-    /// Another equation with the symbols of a formula; some may be called otherwise: `("a", "f2")`. The only output of a
-    /// formula, if no statement defines it, is what the first one defines.
+    /// Another equation with the symbols of a formula, some of which may be renamed: `("a", "f2")`. If a formula has a
+    /// single output that no statement defines, it is what the first statement defines.
     ///
     /// # Errors
-    /// As [`Equation::of`].
+    /// As for [`Equation::of`].
     pub fn read(latex: &str, renamed: &[(&str, &str)], inputs: &[Field], outputs: &[Field]) -> Result<Self, Error> {
         let named = |fields| {
             let mut all = named(fields)?;
@@ -149,7 +148,7 @@ impl Equation {
             Ok(all)
         };
         let mut outputs = named(outputs)?;
-        // The only output may be called as one likes.
+        // A single output may have any name.
         let written = statement::statements(latex, Vec::new()).map_err(|error| error.of_entry("yours", "equation"))?;
         if let ([(name, _)], Some(first)) = (&mut outputs[..], written.first())
             && !written.iter().any(|statement| statement.names[0] == *name)
@@ -159,10 +158,10 @@ impl Equation {
         Self::new("yours", latex, &[], &named(inputs)?, &outputs)
     }
 
-    /// An equation with the symbols of a formula, taken to be that formula's own.
+    /// An equation with the symbols of a formula, treated as that formula's own.
     ///
     /// # Errors
-    /// As [`Equation::of`].
+    /// As for [`Equation::of`].
     pub fn in_place_of(spec: &Spec, latex: &str, inputs: &[Field], outputs: &[Field]) -> Result<Self, Error> {
         Self::new(spec.id, latex, spec.given, &named(inputs)?, &named(outputs)?)
     }
@@ -199,25 +198,25 @@ impl Equation {
         Ok(Self { graph, needed, equal, smallest })
     }
 
-    /// The outputs. Where one is the place of something smallest, it is not searched but taken from known outputs.
+    /// The outputs. An output that is a minimiser is not searched for but taken from the known outputs.
     pub fn values<T: graph::Number>(&self, inputs: &[T], known: &[T]) -> Vec<T> {
         let all = self.graph.results(&self.point(inputs, known), self.needed.iter().copied());
         self.graph.value.iter().map(|output| all[output.index()]).collect()
     }
 
-    /// Whether it has one value: on a kink, several places may be the smallest of something.
+    /// Whether it has a single value: on a kink there may be several minimisers.
     pub(crate) fn is_defined(&self, on_kink: bool) -> bool {
         !on_kink || self.smallest.is_none()
     }
 
-    /// The inputs, and behind them the place of something smallest.
+    /// The inputs, followed by the minimiser if there is one.
     pub(crate) fn point<T: graph::Number>(&self, inputs: &[T], known: &[T]) -> Vec<T> {
         let nowhere = || T::from(f64::NAN);
         let place = self.smallest.iter().map(|s| known.get(s.output).copied().unwrap_or_else(nowhere));
         inputs.iter().copied().chain(place).collect()
     }
 
-    /// Everything at a [`point`](Self::point).
+    /// All results at a [`point`](Self::point).
     pub(crate) fn run(&self, point: &[Octuple]) -> Results {
         let all = self.graph.results(point, self.needed.iter().copied());
         let at = |node: Node| all[node.index()];
@@ -234,23 +233,23 @@ impl Equation {
         Results { outputs, equal, smallest, all }
     }
 
-    /// The derivatives of each output by the numbers of the point, and of the slope that vanishes at the place of something
-    /// smallest.
+    /// The gradients of all outputs, and of the slope that vanishes at the minimiser, with respect to the numbers of
+    /// the point.
     pub(crate) fn gradients(&self, at: &Results, point: &[Octuple]) -> Vec<Vec<Octuple>> {
         let of = self.graph.value.iter().copied().chain(self.smallest.as_ref().map(|s| s.slope));
         of.map(|node| self.graph.gradient(node, &self.graph.needed(&[node]), &at.all, point.len())).collect()
     }
 }
 
-/// How large the terms are from which a number of the equation is summed, at a [`point`](Equation::point): rounding
-/// them may change it by so many roundings.
+/// The sizes of the terms from which numbers of the equation are summed, at a [`point`](Equation::point), as a measure
+/// of the rounding errors.
 impl Equation {
-    /// Of an output, or of its derivative by a number of the point.
+    /// For an output, or for its derivative with respect to a number of the point.
     pub(crate) fn terms_of_output(&self, output: usize, by: Option<usize>, point: &[Octuple]) -> Octuple {
         self.terms(self.graph.value[output], by, point)
     }
 
-    /// Of the derivative of the slope that vanishes at the place of something smallest, and of that slope.
+    /// For the slope that vanishes at the minimiser, or for its derivative with respect to a number of the point.
     pub(crate) fn terms_of_slope(&self, by: Option<usize>, point: &[Octuple]) -> Octuple {
         self.smallest.as_ref().map_or_else(Octuple::default, |smallest| self.terms(smallest.slope, by, point))
     }
@@ -264,12 +263,12 @@ impl Equation {
     }
 }
 
-/// The symbols of fields.
+/// The fields with their symbols.
 fn named(fields: &[Field]) -> Result<Vec<(Name, Field)>, Error> {
     fields.iter().map(|&field| Ok((symbol_of(field.quantity.latex)?, field))).collect()
 }
 
-/// A symbol by itself.
+/// Parses a single symbol.
 fn symbol_of(latex: &str) -> Result<Name, Error> {
     let one = statement::symbols(latex).map(|mut all| (all.len() == 1).then(|| all.swap_remove(0)));
     match one {
@@ -279,7 +278,7 @@ fn symbol_of(latex: &str) -> Result<Name, Error> {
     }
 }
 
-/// The components of an output, which the equation must define: as a whole, or each by itself.
+/// The components of an output, which the equation must define either as a whole or one by one.
 fn output(writer: &mut Writer<'_>, name: &Name, field: &Field) -> Result<Vec<Node>, Error> {
     let at = 0;
     let wrong = || Error::new(at, format!("{name} should have {} components", field.len()));
@@ -310,7 +309,7 @@ fn place_of_smallest(writer: &mut Writer<'_>, output: usize, found: &ArgMin, id:
     let place = writer.graph.enter(Op::Input(writer.solution));
     let mut number = |e| writer.number(e, Place::ROOT).map_err(|error| error.of_entry(id, "equation"));
     let (low, high, objective) = (number(low)?, number(high)?, number(objective)?);
-    // A length is smallest where its square is, which has a derivative at 0 too.
+    // A length has the same minimiser as its square, which is differentiable at 0 too.
     let objective = match writer.graph.op(objective) {
         Op::Norm(_) | Op::Unary(Unary::Absolute, _) => {
             let (parts, zero) = (writer.graph.op(objective).operands(), writer.graph.number(0.0));
@@ -325,7 +324,7 @@ fn place_of_smallest(writer: &mut Writer<'_>, output: usize, found: &ArgMin, id:
     Ok(Smallest { output, place, low, high, objective, slope })
 }
 
-/// That every input, every statement and every symbol from elsewhere is needed.
+/// Checks that every input, every statement and every symbol from elsewhere is used.
 fn check_closed(writer: &Writer<'_>, needed: &[Node], inputs: &[(Name, Field)]) -> Result<(), Error> {
     let own = &writer.entries.0[0];
     let idle = own.statements.iter().zip(&writer.used).find(|(_, used)| !*used);

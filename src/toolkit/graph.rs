@@ -1,9 +1,9 @@
-//! What a formula does to its inputs, written down: every operation once, in order, and every choice with both its sides.
+//! The recorded operations of a formula: each operation once, in order, and each choice with both branches.
 //!
-//! A formula is generic over its scalar. [`Traced`] is a scalar that computes nothing: each operation on it becomes a node of
-//! a [`Graph`]. A comparison has to answer at once, so the formula is run again for every way in which its comparisons can
-//! come out, and where two runs part the results become one [`Op::Select`]. What comes out is a list of operations without
-//! jumps, which gives the bits of the formula in `f64` and can be printed in another language.
+//! A formula is generic over its scalar. [`Traced`] is a scalar that computes nothing: each operation on it becomes a
+//! node of a [`Graph`]. A comparison must return at once, so the formula is run again for every combination of
+//! outcomes, and where two runs diverge, their results become one [`Op::Select`]. The outcome is a list of operations
+//! without jumps, which has the bits of the formula in `f64` and can be printed in another language.
 //!
 //! ```
 //! use jointproof::toolkit::graph::{Graph, record};

@@ -1,4 +1,4 @@
-//! Hands the compiler and its flags on to the program, so that a report can say how it was built.
+//! Passes the compiler and its flags to the program, so that a report can say how it was built.
 
 use std::process::Command;
 

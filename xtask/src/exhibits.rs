@@ -1,5 +1,5 @@
-//! What our book shows beside entries: figures of the connectors, what scenes print, the worked example of an audit, and what
-//! the documents say.
+//! Generated content of this project's book besides entries: figures of the connectors, output of scenes, the worked
+//! example of an audit, and the statements of the documents.
 
 use crate::studies::agreement;
 use crate::{figures, museum, scene, statements, worked_example};
@@ -7,7 +7,7 @@ use jointproof::toolkit::verify::Audit;
 use judge::audited;
 use kit::{Exhibits, Project};
 
-/// All of it.
+/// All generated content.
 pub(crate) fn all(project: &Project) -> anyhow::Result<Exhibits> {
     let audit = ("audit".to_owned(), audited::text(&[worked_example::run()], Audit::passed)?);
     Ok(Exhibits {

@@ -1,5 +1,5 @@
-//! `cargo xtask`: the commands of the kit, and what is only ours: scenes, tidiness, what the documents
-//! say, and the exhibits of our book.
+//! `cargo xtask`: the commands of the kit, and those specific to this project: scenes, tidiness, statements of the
+//! documents, and generated content of the book.
 
 mod exhibits;
 mod figures;
@@ -19,7 +19,7 @@ fn main() -> ExitCode {
     kit::main(&ours(Project::new("jointproof", env!("CARGO_MANIFEST_DIR"), CATALOG)))
 }
 
-/// With what the repository has beside formulas.
+/// Adds the parts of the repository besides formulas.
 fn ours(project: Project) -> Project {
     project
         .with_elements(ELEMENTS)
@@ -35,12 +35,12 @@ fn ours(project: Project) -> Project {
         .with_debt("an independent implementation", has_oracle, "`@formula(…)` in tests/python/oracle")
 }
 
-/// Whether this runs by itself, and not through cargo.
+/// Whether this program runs directly rather than through cargo.
 fn is_installed() -> bool {
     std::env::var_os("CARGO").is_none()
 }
 
-/// Whether the independent implementation in Python has this formula; a copy without that is not asked for it.
+/// Whether the independent Python implementation has this formula; copies of the repository without it are not checked.
 fn has_oracle(project: &Project, id: &str) -> bool {
     let Ok(modules) = std::fs::read_dir(project.root().join("tests/python/oracle")) else { return true };
     let mut texts = modules.flatten().filter_map(|module| std::fs::read_to_string(module.path()).ok());

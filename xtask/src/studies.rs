@@ -1,4 +1,4 @@
-//! Studies that the book shows: computed anew by every build, or by tests that need other programs; held by tests.
+//! Studies shown in the book: recomputed by every build, or by tests that need other programs; guarded by tests.
 
 pub(crate) mod agreement;
 pub(crate) mod arm_models;

@@ -1,4 +1,4 @@
-//! The worked example of the chapter on code review: a derivative as somebody submitted it, and what the audit says.
+//! The worked example of the chapter on code review: a submitted derivative, and the audit's verdict.
 
 use jointproof::connector::slot::{Contact, CrossForces};
 use jointproof::formula::proof::Proved;
@@ -33,7 +33,7 @@ impl Formula for Submitted {
 impl Proved for Submitted {}
 // ANCHOR_END: submitted
 
-/// What the audit finds.
+/// The result of the audit.
 pub(crate) fn run() -> Audit {
     audit::<Submitted>(&Options { samples: 200, seed: 1 })
 }

@@ -1,4 +1,4 @@
-//! `cargo xtask audit`: its formats, and points that are given back.
+//! `cargo xtask audit`: its formats, and points that are passed back.
 
 use crate::common::Bench;
 use jointproof::catalog::CATALOG;
@@ -62,7 +62,7 @@ fn of_many_changes_the_first_are_listed() {
 fn a_seed_gives_the_same_points_again_and_another_gives_others() {
     let seed = |seed| audit(&["--samples", "5", "--seed", seed]);
     assert_eq!(seed("5"), seed("5"));
-    // It says which seed it was; the points differ too.
+    // It reports the seed; the points differ too.
     assert_ne!(seed("5"), Audit { seed: 5, ..seed("6") });
 }
 
@@ -169,7 +169,7 @@ fn a_point_that_cannot_be_audited_is_bad_usage() {
 
 #[test]
 fn reviewers_are_told_on_the_line_of_the_function() {
-    // A point that is given is audited alone; every claim holds there.
+    // A given point is audited alone; every claim holds there.
     let quick = ["audit", "--filter", ID, "--samples", "3", "--format"];
     let run = |format: &str| Bench::new().run(&[quick.as_slice(), &[format]].concat()).quiet().stdout;
     assert!(run("github").starts_with("1 formula, "), "nothing that is well is annotated");

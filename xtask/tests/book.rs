@@ -1,4 +1,4 @@
-//! The real book: whole, complete, and content with no network.
+//! The real book: intact, complete, and independent of the network.
 
 use crate::common::{Bench, Ran, assert_accepted};
 use jointproof::catalog::{AnyFormula, CATALOG};
@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{LazyLock, OnceLock};
 use std::time::Duration;
 
-/// The book, built once for all tests here, in a folder that only they use, with the report that is kept as the reference.
+/// The book, built once for all tests here, in a folder used by no one else, with the reference report.
 static BOOK: LazyLock<PathBuf> = LazyLock::new(|| {
     let bench = Bench::new();
     let out = free_folder();
@@ -19,13 +19,13 @@ static BOOK: LazyLock<PathBuf> = LazyLock::new(|| {
     }
     let entries = format!(" chapters, {} formulas, ", CATALOG.len());
     let ran = Ran::from(command.output().unwrap()).exits(0).says(&entries).says(" listings in ");
-    // What was not asked for is not looked at.
+    // Checks that were not requested are not made.
     assert_eq!(ran.stdout.lines().count(), 1, "{ran:#?}");
     assert!(!cfg!(target_os = "linux") || was_opened(&bench, &out), "the book is not shown");
     out
 });
 
-/// The first folder that no other run of these tests is using.
+/// The first folder that no other run of these tests uses.
 fn free_folder() -> PathBuf {
     static LOCK: OnceLock<File> = OnceLock::new();
     let folder = |number: u32| Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("book-{number}"));
@@ -39,7 +39,7 @@ fn free_folder() -> PathBuf {
     folder
 }
 
-/// The search path with a program before all others that only writes down what it is to open.
+/// The search path, preceded by a program that only records what it is told to open.
 fn opener(bench: &Bench) -> OsString {
     let folder = bench.path("programs");
     fs::create_dir_all(&folder).unwrap();
@@ -51,7 +51,7 @@ fn opener(bench: &Bench) -> OsString {
     std::env::join_paths([folder].into_iter().chain(std::env::split_paths(&before))).unwrap()
 }
 
-/// Whether the first page was opened; what opens it runs on its own.
+/// Whether the first page was opened; the opener runs independently.
 fn was_opened(bench: &Bench, out: &Path) -> bool {
     let index = format!("{}\n", out.join("index.html").display());
     let is_it = || fs::read_to_string(bench.path("opened")).is_ok_and(|opened| opened == index);
@@ -63,7 +63,7 @@ fn was_opened(bench: &Bench, out: &Path) -> bool {
     })
 }
 
-/// All files below a folder whose names end so.
+/// All files below a folder with these extensions.
 fn files(folder: &Path, extensions: &[&str]) -> Vec<(String, String)> {
     let mut found = Vec::new();
     for entry in fs::read_dir(folder).unwrap() {
@@ -77,7 +77,7 @@ fn files(folder: &Path, extensions: &[&str]) -> Vec<(String, String)> {
     found
 }
 
-/// The pages that chapters became, without the one that holds them all and the listings.
+/// The pages of the chapters, without the page that contains them all and the listings.
 fn chapters() -> impl Iterator<Item = (String, String)> {
     let listings = BOOK.join("source").display().to_string();
     files(&BOOK, &["html"])
@@ -85,13 +85,13 @@ fn chapters() -> impl Iterator<Item = (String, String)> {
         .filter(move |(name, _)| !name.starts_with(&listings) && !name.ends_with("print.html"))
 }
 
-/// What stands behind each of these in the chapters, up to the end: a long text is gone through once, not once a formula.
+/// The texts between `start` and `end` in the chapters: each text is scanned once, not once per formula.
 fn behind(start: &str, end: &str) -> Vec<String> {
     let until_end = |text: &str| text.split(end).next().unwrap().to_owned();
     chapters().flat_map(|(_, page)| page.split(start).skip(1).map(until_end).collect::<Vec<_>>()).collect()
 }
 
-/// Asserts that each formula has just one of these texts, which begins with its identifier; and gives them, in order.
+/// Asserts that each formula has exactly one of these texts, which starts with its identifier, and returns them in order.
 fn one_each(texts: &[String], what: &str) -> Vec<(&'static dyn AnyFormula, String)> {
     let one = |formula: &&'static dyn AnyFormula| {
         let begin = format!("{}\"", formula.spec().id);
@@ -104,7 +104,7 @@ fn one_each(texts: &[String], what: &str) -> Vec<(&'static dyn AnyFormula, Strin
 
 #[test]
 fn every_formula_has_one_anchor_and_its_equation_as_mathml() {
-    // The first chapter is the index too.
+    // The first chapter is also the index.
     for (formula, entry) in one_each(&behind("<h3 id=\"", "</section>"), "entries") {
         assert!(entry.contains("display=\"block\""), "{} has no equation", formula.spec().id);
         let rows = entry.matches("<tr><td><math").count();
@@ -112,7 +112,7 @@ fn every_formula_has_one_anchor_and_its_equation_as_mathml() {
     }
 }
 
-/// All formulas have a graph, as `tests/graph.rs` asserts, from which a calculator is made.
+/// All formulas have a graph, as `tests/graph.rs` asserts, from which a calculator is generated.
 #[test]
 fn every_formula_has_a_calculator() {
     for (formula, _) in one_each(&behind("<details class=\"calculator\" data-formula=\"", ">"), "calculators") {
@@ -161,18 +161,18 @@ fn nothing_is_fetched_from_the_network() {
             }
         }
     }
-    // Scripts of calculators name a host only as the namespace of drawings.
+    // Scripts of calculators name a host only as the namespace of SVG.
     for (name, script) in files(&BOOK.join("calculator"), &["js"]) {
         let script = script.replace("http://www.w3.org/2000/svg", "");
         assert!(!["://", "fetch(", "import("].iter().any(|how| script.contains(how)), "{name}");
     }
-    // The script that runs Rust code in a playground is mdBook's own; nothing here may call it.
+    // The script that runs Rust code in a playground belongs to mdBook; nothing here may call it.
     for (name, page) in chapters() {
         assert!(!page.contains("class=\"playground\""), "{name} has code that is run elsewhere");
     }
 }
 
-/// What is on the pages is looked at once, by whoever changes it; after that only what is meant to change may.
+/// Changes of the pages are reviewed once, by the author of the change; after that only intended changes may occur.
 #[test]
 fn every_section_and_script_is_as_it_was_accepted() {
     assert_accepted("book", "pages.txt", &accepted());
@@ -199,8 +199,8 @@ fn accepted() -> Vec<(String, String)> {
     texts
 }
 
-/// A text without revisions, lines of sources, and whether the report is of these sources: they change with what the pages do
-/// not show.
+/// A text without revisions, line numbers of sources, and the statement whether the report is of these sources: they
+/// change without any change of the pages.
 fn lasting(text: &str) -> String {
     let is_revision = |word: &&str| word.len() == 40 && word.bytes().all(|byte| byte.is_ascii_hexdigit());
     let text = without_lines(&without_lines(text, "#L"), ".rs:");
@@ -208,7 +208,7 @@ fn lasting(text: &str) -> String {
     text.split('/').filter(|word| !is_revision(word)).collect::<Vec<_>>().join("/")
 }
 
-/// A text without the numbers of lines that stand behind this mark.
+/// A text without the line numbers that follow this mark.
 fn without_lines(text: &str, mark: &str) -> String {
     let is_line = |c: char| c.is_ascii_digit() || c == '-' || c == 'L';
     let mut parts = text.split(mark);
@@ -230,7 +230,7 @@ fn a_folder_that_holds_something_else_is_not_replaced() {
     assert_eq!(bench.files("letters").len(), 1);
 }
 
-/// What a reader sees of a page, without code.
+/// The visible text of a page, without code.
 fn shown(page: &str) -> String {
     let mut shown = String::new();
     let mut rest = page;

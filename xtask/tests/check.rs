@@ -1,4 +1,4 @@
-//! `cargo xtask check`: how programs are asked, and what is said of those that do not answer well.
+//! `cargo xtask check`: how programs are asked, and the reports on those that answer wrongly.
 
 use crate::common::{Bench, Ran};
 
@@ -6,13 +6,13 @@ const ID: &str = "coulomb.yield";
 /// Φ = P − μ F_N and its derivatives.
 const RIGHT: &str = r#"{ printf "%.17g 1 %.17g %.17g\n", $1 - $2 * $3, -$3, -$2; fflush() }"#;
 
-/// Checks a program of awk, which knows nothing of what must be refused.
+/// Checks an awk program, which rejects nothing.
 fn awk(options: &[&str], program: &str) -> Ran {
     let before = ["check", "--formula", ID, "--valid-only", "--samples", "100"];
     Bench::new().run(&[&before, options, &["--", "awk", program]].concat())
 }
 
-/// Checks a program of Python.
+/// Checks a Python program.
 fn python(options: &[&str], program: &str) -> Ran {
     let before = ["check", "--formula", ID, "--samples", "100"];
     Bench::new().run(&[&before, options, &["--", "python3", "-c", program]].concat())
@@ -27,7 +27,7 @@ fn a_right_program_costs_two_lines() {
 
 #[test]
 fn products_are_judged_by_those_who_have_no_jacobian() {
-    // v follows the inputs, and then w.
+    // The inputs are followed by v and then w.
     let product = |sign: &str| {
         format!(
             r#"{{ printf "%.17g %.17g %.17g %.17g %.17g\n", $1 - $2 * $3, $4 {sign} $3 * $5 - $2 * $6, $7, -$3 * $7, -$2 * $7; fflush() }}"#
@@ -38,10 +38,10 @@ fn products_are_judged_by_those_who_have_no_jacobian() {
     awk(&["--wanted", "products"], &product("+")).exits(1).prints("(J v) of phi wrong at ").prints(
         "J v are not the derivatives of its own values of phi along 6 directions: the remainder falls as h^1.0",
     );
-    // What is told of a slope is that of the first time; the second time the sign is turned.
+    // The slope is computed from the first pass; in the second pass the sign is reversed.
     let first = format!("{{ if (seen[$0]++) $4 = -$4 }} {}", product("-"));
     awk(&["--wanted", "products"], &first).exits(1).prints(own).prints("state is kept between calls");
-    // Another function, with the products of that.
+    // Another function, with its own products.
     let other = r#"{ printf "%.17g %.17g %.17g %.17g %.17g\n", $1 + $2 * $3, $4 + $3 * $5 + $2 * $6, $7, $3 * $7, $2 * $7; fflush() }"#;
     awk(&["--wanted", "products"], other).exits(1).prints(own);
 }
@@ -98,7 +98,7 @@ fn what_is_no_answer_is_named_and_the_run_goes_on() {
     let odd = |what: &str| awk(&["--limit", "3"], &at(what)).exits(1);
     odd("print 1; fflush()").prints("no answer").prints("1 numbers instead of 4");
     odd("print \"1 2 3 many\"; fflush()").prints("`many` is no number");
-    // A process of its own gets this point as its first one.
+    // A separate process gets this point as its first one.
     awk(&["--limit", "3"], &format!("$1 == 1.5 {{ exit 3 }} {RIGHT}")).exits(1).prints("ends with exit code 3");
 }
 
@@ -118,7 +118,7 @@ for line in sys.stdin:
     print(p - mu * fn, 1.0, -fn, -mu, flush=True)
 ";
     let ran = python(&[], careless).exits(1).prints("accepts what must be refused: ");
-    // NaN that goes in and comes out is as good as a refusal.
+    // NaN returned for an input of NaN counts as a rejection.
     ran.prints("mu is -1.0; allowed is a finite number ≥ 0").prints("taken for a refusal: NaN or infinity");
 }
 
@@ -131,7 +131,7 @@ fn state_between_calls_is_found() {
         .prints("∂phi/∂mu is that of the point asked before");
     let counts = r#"{ printf "%.17g 1 %.17g %.17g\n", $1 - $2 * $3 + NR, -$3, -$2; fflush() }"#;
     awk(&[], counts).exits(1).prints("state is kept between calls; what it is does not show");
-    // One derivative is that of the point before, the other counts: neither explains both.
+    // One derivative is that of the previous point, the other is a counter: neither explains both.
     let two = r#"{ printf "%.17g 1 %.17g %.17g\n", $1 - $2 * $3, -before, -$2 - NR; before = $3; fflush() }"#;
     awk(&[], two).exits(1).prints("state is kept between calls; what it is does not show");
 }
@@ -145,7 +145,7 @@ fn what_is_off_at_a_single_case_is_named_and_not_explained() {
 
 #[test]
 fn a_mistake_that_explains_some_points_alone_is_not_named() {
-    // The sign is turned, but for large p, where something else is off.
+    // The sign is reversed, except for large p, where something else is wrong.
     let two = r#"{ y = $1 < 8 ? $1 + $2 * $3 : $1 * 1.001 - $2 * $3; printf "%.17g 1 %.17g %.17g\n", y, -$3, -$2; fflush() }"#;
     awk(&[], two).exits(1).prints("diagnosis: unexplained");
     let one = two.replace("$1 < 8", "1");
@@ -227,7 +227,7 @@ fn reviewers_are_told_on_the_line_of_the_routine() {
         .prints("::error file=mine.f90,line=40,title=coulomb.yield%3A the sign is turned of ∂phi/∂mu");
     let written = std::fs::read_to_string(summary.path()).unwrap();
     assert!(written.contains("diagnosis: the sign is turned of ∂phi/∂mu"), "{written}");
-    // Of two causes the first is the title.
+    // Of two causes the first becomes the title.
     let two = RIGHT.replace("-$3", "$3").replace("$1 - $2 * $3", "$1 * $1 - $2");
     github(&two).exits(1).prints("title=coulomb.yield%3A value%3A unexplained");
     github("BEGIN { exit 3 }")

@@ -1,10 +1,10 @@
-//! `cargo xtask check --abi`: routines of the interfaces that programs of finite elements prescribe, as their users write them.
+//! `cargo xtask check --abi`: routines with the interfaces that finite-element programs prescribe, as their users write them.
 
 use crate::common::Bench;
 use crate::port::{Lang, check, sources};
 use std::process::Command;
 
-/// A routine as its users write it, and the formulas that are exported for it.
+/// A routine as its users write it, and the formulas exported for it.
 struct Routine<'a> {
     abi: &'static str,
     file: &'static str,
@@ -12,7 +12,7 @@ struct Routine<'a> {
     uses: &'static [&'static str],
 }
 
-/// A friction model as users of the field write it: fixed form, implicit types. It sticks with the stiffness PROPS(2).
+/// A friction model in the usual style of users: fixed form, implicit types. It sticks with the stiffness PROPS(2).
 const FRIC: Routine<'static> = Routine {
     abi: "fric",
     file: "routine.f",
@@ -110,7 +110,7 @@ subroutine mpc(ue, a, jdof, mdof, n, jtype, x, u, uinit, maxdof, lmpc, kstep, ki
 end subroutine mpc
 " };
 
-/// The same constraint by its distances, of which each is a routine.
+/// The same constraint by distances, each of which is a routine.
 const UMPC: Routine<'static> = Routine {
     abi: "umpc_user",
     file: "routine.f90",
@@ -169,7 +169,7 @@ subroutine uel(rhs, amatrx, svars, energy, ndofel, nrhs, nsvars, props, nprops, 
 end subroutine uel
 " };
 
-/// What `check` says of a routine with a text replaced in it, and how it ends.
+/// The output of `check` for a routine with a text replaced in it; the exit code is asserted.
 fn checked(routine: &Routine<'_>, id: &str, [from, to]: [&str; 2], code: i32) -> String {
     assert!(routine.text.contains(from), "{from}");
     let bench = Bench::new();
@@ -196,7 +196,7 @@ fn checked(routine: &Routine<'_>, id: &str, [from, to]: [&str; 2], code: i32) ->
 
 const AS_IT_IS: [&str; 2] = ["", ""];
 
-/// Shells to take away are routines of these interfaces.
+/// Exported shells are routines with these interfaces.
 #[test]
 fn exported_shells_are_right() {
     if !Lang::Fortran.is_here() {

@@ -1,10 +1,10 @@
-//! `cargo xtask check` of ports: correct ones pass, and mistakes that are planted in them are named.
+//! `cargo xtask check` of ports: correct ones pass, and mistakes planted in them are diagnosed.
 
 use crate::common::Bench;
 use crate::port::Plant::{After, Before, Driver, Nothing, Within};
 use crate::port::{Lang, Plant, check, port};
 
-/// A class of mistakes, where it is planted, and what the diagnosis says of it.
+/// A class of mistakes, where it is planted, and its diagnosis.
 struct Planted {
     class: &'static str,
     lang: Lang,
@@ -19,7 +19,7 @@ const fn planted(class: &'static str, lang: Lang, id: &'static str, plant: Plant
 
 use Lang::{C, Fortran, Python};
 
-/// Every class is planted once or more, in three languages, over a dozen formulas.
+/// Every class is planted at least once, in three languages, over a dozen formulas.
 const PLANTED: &[Planted] = &[
     planted("sign", C, "slot.friction", After("jacobian[1][1] = -jacobian[1][1];"), "the sign is turned of ∂fn/∂f2"),
     planted(

@@ -1,10 +1,10 @@
-//! The command line: exit codes, help, colours, closed pipes, and which stream says what.
+//! The command line: exit codes, help, colours, closed pipes, and the output on each stream.
 
 use crate::common::{self, Bench, Ran};
 use jointproof::catalog::{CATALOG, ELEMENTS};
 use std::process::Stdio;
 
-/// The commands that the help lists.
+/// The commands listed by the help.
 fn commands() -> Vec<String> {
     let help = Bench::new().run(&["--help"]).quiet().stdout;
     let (_, after) = help.split_once("Commands:\n").unwrap();
@@ -43,7 +43,7 @@ fn an_unknown_command_or_option_is_bad_usage() {
     bench
         .run(&["audit", "--format", "yaml"])
         .bad_usage("[possible values: text, markdown, json, github, sarif, rdjson]");
-    // Without a command, the help.
+    // Without a command, the help is shown.
     bench.run(&[]).exits(2).says("Commands:");
 }
 
@@ -96,7 +96,7 @@ fn colours_are_for_terminals_unless_forced() {
     assert!(!coloured(&[("CLICOLOR_FORCE", "1"), ("NO_COLOR", "1")]).stdout.contains('\u{1b}'), "not wanted");
 }
 
-/// Runs a command whose reader has gone before it prints.
+/// Runs a command whose reader closes the pipe before it prints.
 fn into_closed_pipe(bench: &Bench, arguments: &[&str]) -> Ran {
     let mut child = bench.command(arguments).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
     drop(child.stdout.take());

@@ -1,4 +1,5 @@
-//! `cargo xtask export --check`: what is exported, compiled and run where the compilers are, has every bit of what runs here.
+//! `cargo xtask export --check`: exported code, compiled and run if the compilers are available, has the same bits as
+//! this program.
 
 #[cfg(unix)]
 use crate::common::reference;
@@ -23,7 +24,7 @@ fn what_is_exported_has_every_bit() {
     }
 }
 
-/// The times of Rust are said, those of C are taken; none of these is judged.
+/// The times of Rust are given, those of C are measured; no time is judged.
 #[test]
 #[cfg(unix)]
 fn times_of_c_and_of_rust_are_printed_with_their_ratio() {
@@ -36,7 +37,7 @@ fn times_of_c_and_of_rust_are_printed_with_their_ratio() {
         let time = RUST.iter().find(|(id, _)| measured["formula"] == *id).map_or(1e6, |(_, time)| *time);
         let ways = measured["ways"].as_array_mut().unwrap().iter_mut();
         for way in ways.filter(|way| way["jacobian"]["time"].is_object()) {
-            // The other ways take longer.
+            // The other methods take longer.
             way["jacobian"]["time"]["median"] = if way["id"] == "checked" { time } else { 1e6 }.into();
         }
     }
@@ -55,7 +56,7 @@ fn times_of_c_and_of_rust_are_printed_with_their_ratio() {
         let [c, rust, ratio] = [1, 2, 3].map(|k| row[k].parse::<f64>().unwrap());
         assert!(c > 0.0 && ratio > 0.0, "{row:?}");
         assert_eq!(RUST.iter().find(|(id, _)| *id == row[0]).unwrap().1, rust);
-        // As far as the printed digits tell.
+        // To the precision of the printed digits.
         assert!((ratio * rust - c).abs() <= 0.05 + 0.005 * rust + 1e-9, "{row:?}");
         ratios.push(ratio);
     }
@@ -94,7 +95,7 @@ fn lines_are_counted() {
     ran.exits(0).prints(&format!(" formulas, {lines} lines in "));
 }
 
-/// What is exported is looked at once, by whoever changes it: branches, functions, a search, programs in parts, user routines.
+/// Changes of exported files are reviewed once, by their author: branches, functions, a search, programs in parts, user routines.
 #[test]
 fn every_file_is_as_it_was_accepted() {
     const FORMULAS: &str = "{coulomb.return_map,interaction.pressure_exponential,universal.angles,slide_line.closest_parabolic,\
@@ -113,7 +114,7 @@ fn every_file_is_as_it_was_accepted() {
     assert_accepted("export", "exports.txt", &texts);
 }
 
-/// Programs to begin with, that call somebody's own code or, as an example, what is exported.
+/// Initial drivers that call a user's own code or, as an example, the exported code.
 fn drivers() -> impl Iterator<Item = (String, String)> {
     let own = ["c", "cpp", "fortran", "python", "julia"].map(|lang| (lang, "own", vec![]));
     let exported = ["c", "cpp", "fortran", "python"].map(|lang| (lang, "exported", vec!["--exported"]));

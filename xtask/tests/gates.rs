@@ -1,5 +1,5 @@
-//! Each gate closes for its fault, and only that one. This program is both the tests and, if it is asked to be, a project
-//! of one formula with a fault planted in it: so it has no harness.
+//! Each gate detects its own fault, and only that one. This program is both the tests and, on request, a project of
+//! one formula with a planted fault; therefore it has no test harness.
 
 mod common;
 #[path = "common/gated.rs"]
@@ -12,14 +12,14 @@ use std::fs;
 use std::path::PathBuf;
 use std::process::{Command, ExitCode};
 
-/// Set where this program is to be the project.
+/// Set if this program is to act as the project.
 const IS_PROJECT: &str = "JOINTPROOF_TEST_IS_PROJECT";
 
 fn main() -> ExitCode {
     if std::env::var_os(IS_PROJECT).is_some() {
         return kit::main(&project());
     }
-    // Who lists or filters tests asks for none of these.
+    // Listing or filtering tests runs none of these.
     if std::env::args().len() == 1 {
         every_gate_closes_for_its_fault_alone();
         every_verdict_is_given_even_if_all_is_off();
@@ -44,7 +44,7 @@ fn project() -> Project {
         .with_debt("a poem", |_, _| !is_planted("owed"), "in `{id}.txt`")
 }
 
-/// A folder in which all is well until something is planted.
+/// A folder in which all is well until a fault is planted.
 struct Gate(tempfile::TempDir);
 
 impl Gate {
@@ -68,7 +68,7 @@ impl Gate {
         self.0.path().join(file)
     }
 
-    /// Puts this at the end of a file.
+    /// Appends this to a file.
     fn append(&self, file: &str, text: &str) {
         let before = fs::read_to_string(self.path(file)).unwrap();
         fs::write(self.path(file), before + text).unwrap();
@@ -82,7 +82,7 @@ impl Gate {
         Ran::from(command.output().unwrap())
     }
 
-    /// The steps of `verify` that are off.
+    /// The steps of `verify` that fail.
     fn off(&self, fault: &str) -> (Vec<String>, Ran) {
         let ran = self.run(fault, &["verify", "--samples", "20"]);
         let lines: Vec<_> = ran.stdout.lines().filter_map(|line| line.split_once(' ')).collect();
@@ -94,7 +94,8 @@ impl Gate {
     }
 }
 
-/// A fault, how it is planted beside the environment, what is said, and whether `golden --check` and `audit` see it.
+/// A fault, a change of the project in addition to the environment, the message, and whether `golden --check` and
+/// `audit` detect it.
 type Planted = (&'static str, fn(&Gate), &'static str, [bool; 2]);
 
 const FAULTS: [Planted; 8] = {
@@ -176,7 +177,7 @@ fn an_audit_fails_in_every_format() {
     }
     let point = ["audit", "--filter", "gate.square", "--point", "{\"a\": 3}"];
     gate.run("", &point).exits(0);
-    // What nobody checked has not held, though it did not fail.
+    // An unchecked claim does not count as held, though it did not fail.
     gate.run("unchecked", &["audit", "--samples", "20"]).exits(1).prints("NOT CHECKED: a square turned over");
     let (off, ran) = gate.off("unchecked");
     assert_eq!(off, ["audit"]);
@@ -201,14 +202,14 @@ fn evidence_counts_for_the_version_that_it_is_of() {
     gate.run("", &["golden", "--check"]).exits(0);
     let all = entry();
     assert!(all.contains(audited) && all.contains(checked), "one does not drop the other: {all}");
-    // A failed audit is shown as such, though a worst point with NaN has to be kept.
+    // A failed audit is shown as such, even if its worst point contains NaN.
     gate.run("nan", &["audit", "--samples", "20"]).exits(1);
     let failed = entry();
     assert!(failed.contains("<b class=\"missing\">failed</b>") && failed.contains(checked), "{failed}");
     gate.append("src/lib.rs", "//! Edited.\n");
     let old = entry();
     assert!(!old.contains(audited) && !old.contains(checked) && old.contains("not audited on this version"), "{old}");
-    // What a difference was found in is not evidence either.
+    // A file with a difference is not evidence either.
     gate.append("golden/gate.square.json", " ");
     gate.run("", &["golden", "--check"]).exits(1);
     assert!(!entry().contains(checked));
@@ -226,11 +227,11 @@ fn what_this_program_found_is_not_audited_again() {
     let verify = |fault: &str, more: &[&str]| gate.run(fault, &[&["verify", "--samples", "20"], more].concat());
     let first = verify("", &[]).exits(0);
     assert!(!first.stdout.contains("known from before"), "{first:#?}");
-    // Nobody looks, so nobody sees what is planted.
+    // Nothing is audited again, so the planted fault goes unnoticed.
     verify("audit", &[]).exits(0).prints(known);
     let fresh = verify("audit", &["--fresh"]).exits(1);
     assert!(!fresh.stdout.contains("known from before"), "{fresh:#?}");
-    // What failed is looked at again.
+    // What failed is audited again.
     let again = verify("", &[]).exits(0);
     assert!(!again.stdout.contains(known), "{again:#?}");
     let more = gate.run("", &["verify", "--samples", "21"]).exits(0);

@@ -1,4 +1,4 @@
-//! `cargo xtask golden`: what it finds, what it writes, and what it leaves alone.
+//! `cargo xtask golden`: what it finds, writes, and leaves alone.
 
 use crate::common::{self, Bench};
 use jointproof::catalog::CATALOG;
@@ -21,7 +21,7 @@ fn parse(bench: &Bench) -> File {
     File::parse(&fs::read_to_string(bench.path("golden").join(NAME)).unwrap()).unwrap()
 }
 
-/// Changes the file as somebody's hand would.
+/// Changes the file as if by hand.
 fn plant(bench: &Bench, change: impl FnOnce(&mut File)) {
     let mut file = parse(bench);
     change(&mut file);
@@ -68,7 +68,7 @@ fn another_project_gets_as_many_random_cases_as_it_wants() {
     let wanted = File::parse(&fs::read_to_string(out.join(NAME)).unwrap()).unwrap();
     let random = |file: &File| file.cases.iter().filter(|case| case.flags.contains(&Flag::Random)).count();
     assert!(random(&wanted) == 40 && random(&parse(&bench)) < 40);
-    // The committed files have as many as all others have.
+    // All committed files have the same number of random cases.
     bench.run(&with_random).exits(2).says("--out <FOLDER>");
 }
 
@@ -125,7 +125,7 @@ fn writing_mends_and_then_has_nothing_to_do() {
     assert_eq!(bench.files("golden"), mended);
 }
 
-/// The first formula of every family stands for the others, which `golden --check` makes on all cores.
+/// The first formula of every family represents the others, whose files `golden --check` makes on all cores.
 #[test]
 fn files_are_the_same_to_the_byte_whatever_the_number_of_threads() {
     let mut first = BTreeMap::new();
@@ -151,7 +151,7 @@ fn files_are_the_same_to_the_byte_whatever_the_number_of_threads() {
 fn a_file_is_replaced_and_not_overwritten() {
     let bench = bench();
     plant(&bench, |file| file.cases[0].comment = "changed".into());
-    // Whoever has the old file open keeps it whole.
+    // A process that has the old file open still sees it whole.
     fs::hard_link(bench.path("golden").join(NAME), bench.path("old.json")).unwrap();
     let old = fs::read(bench.path("old.json")).unwrap();
     bench.run(&WRITE).quiet().prints("wrote");
@@ -165,7 +165,7 @@ fn a_run_that_is_killed_while_it_writes_leaves_the_old_file_whole() {
     let bench = bench();
     plant(&bench, |file| file.cases[0].comment = "changed".into());
     let old = fs::read(bench.path("golden").join(NAME)).unwrap();
-    // The system kills whoever writes more than this; the file is longer.
+    // The system kills a process that writes more than this; the file is longer.
     let limited = bench.command(&WRITE);
     let mut shell = std::process::Command::new("sh");
     shell
@@ -183,7 +183,7 @@ fn a_run_that_is_killed_while_it_writes_leaves_the_old_file_whole() {
     assert_eq!(fs::read(bench.path("golden").join(NAME)).unwrap(), old);
     assert!(bench.files("golden").keys().any(|name| name.starts_with(".writing-")), "killed too early");
 
-    // What it left behind is in nobody's way.
+    // Leftovers are no obstacle.
     bench.run(&WRITE).quiet().prints("wrote golden/slot.contact_force.json");
     bench.run(&CHECK).quiet();
 }

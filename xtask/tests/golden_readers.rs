@@ -1,11 +1,11 @@
-//! The readers of golden files in C and Fortran that the book shows: a right port passes, and wrong ones do not. That in Python
-//! has its test beside the oracle.
+//! The readers of golden files in C and Fortran shown in the book: a right port passes, and wrong ones fail. The
+//! Python reader is tested with the oracle.
 
 use crate::common::{is_here, repository};
 use std::path::Path;
 use std::process::Command;
 
-/// Compiles a reader in which a text is replaced, and runs it on the golden file; whether all is right, and what it prints.
+/// Compiles a reader with a text replaced, and runs it on the golden file; returns whether all is right, and the output.
 fn read(command: &[&str], file: &str, [from, to]: [&str; 2]) -> (bool, String) {
     let folder = tempfile::tempdir().unwrap();
     let text = std::fs::read_to_string(repository().join("book/examples").join(file)).unwrap();
@@ -21,7 +21,7 @@ fn read(command: &[&str], file: &str, [from, to]: [&str; 2]) -> (bool, String) {
     (ran.status.success(), String::from_utf8(ran.stdout).unwrap())
 }
 
-/// Ports that are wrong, each by a text of the reader that is replaced.
+/// Wrong ports, each given by a replaced text of the reader.
 fn judges(command: &[&str], file: &str, wrong: &[[&str; 2]]) {
     if !is_here(command[0]) {
         return;
@@ -39,7 +39,7 @@ fn c() {
     let command = ["gcc", "-std=c99", "-O1", "-Wall", "-Wextra", "-pedantic", "-Werror"];
     let wrong = [
         ["= -jac->n_xn[i][j];", "= jac->n_xn[i][j];"],
-        // What cancels, and what is not refused.
+        // A cancellation, and a missing rejection.
         ["(i == j ? a * a + b * b :", "(i == j ? (void)a, (void)b, 1 - n[i] * n[i] :"],
         ["if (largest < 2.2250738585072014e-308) return 0;", ""],
         ["*l = largest * sqrt(sum);", "*l = largest * sqrt(sum) * (1 + 1e-14);"],

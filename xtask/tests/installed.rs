@@ -1,9 +1,9 @@
-//! `jointproof` as `cargo install` leaves it: outside of the repository, and without one.
+//! `jointproof` as installed by `cargo install`: outside any repository.
 
 use crate::common::{self, Bench, Ran};
 use std::fs;
 
-/// The command in an empty folder, with no repository behind it.
+/// The command in an empty folder, without a repository.
 fn installed(bench: &Bench, arguments: &[&str]) -> Ran {
     let mut command = bench.command(arguments);
     command.current_dir(bench.path("")).env("JOINTPROOF_ROOT", bench.path("gone"));

@@ -1,4 +1,4 @@
-//! `cargo xtask new`: what it writes, where, and what it refuses.
+//! `cargo xtask new`: what it writes, where, and what it rejects.
 
 use crate::common::Bench;
 use std::fs;
@@ -32,7 +32,7 @@ fn a_skeleton_is_written_in_the_places_of_its_neighbours() {
         assert!(is_parsed, "{file} is not Rust:\n{text}");
     }
     assert!(!bench.path("book/permalinks.txt").exists(), "there is no list, and none is made");
-    // A second time, nothing is overwritten.
+    // On a second run, nothing is overwritten.
     bench.run(&["new", "slot.made_power"]).exits(1).says("src/connector/slot/made_power.rs is there already");
 }
 

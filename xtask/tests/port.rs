@@ -1,11 +1,11 @@
-//! Ports of formulas: drivers that call what is exported, compiled, with mistakes planted in them.
+//! Ports of formulas: compiled drivers that call exported code, with planted mistakes.
 
 use crate::common::{Bench, is_here};
 use std::fs;
 use std::path::PathBuf;
 use std::process::Command;
 
-/// A language that ports are written in.
+/// A language of ports.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Lang {
     C,
@@ -17,15 +17,15 @@ pub enum Lang {
 /// Where a mistake is planted.
 #[derive(Clone, Copy, Debug)]
 pub enum Plant {
-    /// Nowhere.
+    /// No mistake.
     Nothing,
-    /// What is done to the inputs.
+    /// Code inserted after the inputs.
     Before(&'static str),
-    /// What is done to the results.
+    /// Code inserted after the results.
     After(&'static str),
-    /// A text of the exported formula, and what stands there.
+    /// A text of the exported formula, and its replacement.
     Within(&'static str, &'static str),
-    /// A text of the driver, and what stands there.
+    /// A text of the driver, and its replacement.
     Driver(&'static str, &'static str),
 }
 
@@ -58,7 +58,7 @@ impl Lang {
         }
     }
 
-    /// Whether what it needs is here; if not, that is said. Python may lack NumPy even where compilers are required.
+    /// Whether everything needed is available; if not, a message says so. Python may lack NumPy even if compilers are required.
     pub fn is_here(self) -> bool {
         match self {
             Self::C => is_here("gcc"),
@@ -75,7 +75,7 @@ impl Lang {
         }
     }
 
-    /// The text behind which inputs are known, and that before which results are.
+    /// The text after which inputs are known, and the text before which results are.
     fn sites(self) -> [&'static str; 2] {
         match self {
             Self::C | Self::Cpp => {
@@ -87,8 +87,7 @@ impl Lang {
     }
 }
 
-/// A port with a mistake planted in it; the program and its arguments. `None` for C++, which is compiled as C is, where a
-/// formula stands in several files.
+/// A port with a planted mistake: the program and its arguments.
 pub fn port(bench: &Bench, lang: Lang, id: &str, plant: Plant) -> Vec<String> {
     let folder = bench.path(&format!("{}-{id}", lang.name()));
     let stem = id.replace('.', "_");
@@ -124,12 +123,12 @@ fn planted(lang: Lang, driver: String, plant: Plant) -> String {
     driver.replace(from, &to)
 }
 
-/// The sources of an export whose names begin so.
+/// The sources of an export whose names start with `stem`.
 pub fn sources(folder: &PathBuf, stem: &str, extension: &str) -> Vec<String> {
     let names = fs::read_dir(folder).unwrap().map(|file| file.unwrap().file_name().into_string().unwrap());
     let is_own = |name: &String| name.starts_with(&format!("jp_{stem}")) && name.ends_with(&format!(".{extension}"));
     let mut names: Vec<_> = names.filter(is_own).collect();
-    // Parts stand before the formula, which uses them, and those with the greater number behind the others.
+    // Parts come before the formula that uses them, in numerical order.
     names.sort_by_key(|name| (!name.contains("_part"), name.len(), name.clone()));
     names
 }
@@ -163,7 +162,7 @@ fn compile(lang: Lang, folder: &PathBuf, stem: &str) -> Vec<String> {
     vec![program]
 }
 
-/// What `check` prints of a port, in text; the exit code is asserted.
+/// The text output of `check` for a port; the exit code is asserted.
 pub fn check(bench: &Bench, id: &str, program: &[String], options: &[&str], code: i32) -> String {
     let program: Vec<_> = program.iter().map(String::as_str).collect();
     let ran = bench.run(&[&["check", "--formula", id], options, &["--"], program.as_slice()].concat());

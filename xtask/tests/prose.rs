@@ -1,16 +1,16 @@
-//! What the chapters claim is executed: a wrong glyph in them fails the check that `verify` runs.
+//! The claims of the chapters are executed: a wrong glyph in them fails the check that `verify` runs.
 
 use crate::common::Bench;
 use jointproof::catalog::CATALOG;
 use jointproof::toolkit::verify::Options;
 use std::fs;
 
-/// A copy of the chapters, and of what their numbers refer to.
+/// A copy of the chapters, and of the files that their numbers refer to.
 fn bench() -> Bench {
     Bench::with(&["book/src", "tests/isl.rs", "src/toolkit/verify"])
 }
 
-/// Replaces what a chapter says once.
+/// Replaces a text of a chapter that occurs once.
 fn mutate(bench: &Bench, chapter: &str, from: &str, to: &str) {
     let path = bench.path(&format!("book/src/{chapter}"));
     let text = fs::read_to_string(&path).unwrap();
@@ -18,7 +18,7 @@ fn mutate(bench: &Bench, chapter: &str, from: &str, to: &str) {
     fs::write(path, text.replace(from, to)).unwrap();
 }
 
-/// All is checked once, as `verify` does: few points of the printed equations, which the audit has.
+/// Everything is checked once, as in `verify`: at few points of the printed equations, which are covered by the audit.
 #[test]
 fn what_is_wrong_in_the_chapters_is_found_and_nothing_else() {
     let bench = bench();
@@ -29,7 +29,7 @@ fn what_is_wrong_in_the_chapters_is_found_and_nothing_else() {
         ("translator.md", "{{3.7 = ", "{{3.8 = "),
         ("slide-line.md", "{{9.15 in ", "{{9.16 in "),
         ("evidence.md", "{{60 in ", "{{61 in "),
-        // What is not marked.
+        // Unmarked mathematics and numbers.
         ("coulomb.md", "# Coulomb friction\n", "# Coulomb friction\n\nIt is 0.02 % of all.\n\n$$\na = b\n$$\n"),
     ];
     for (chapter, from, to) in planted {
@@ -37,7 +37,7 @@ fn what_is_wrong_in_the_chapters_is_found_and_nothing_else() {
     }
     let chapters = fs::read_dir(bench.path("book/src")).unwrap().map(|entry| entry.unwrap().path());
     let text: String = chapters.filter_map(|path| fs::read_to_string(path).ok()).collect();
-    // What is not marked is not executed either.
+    // Unmarked mathematics is not executed either.
     let presented = text.lines().filter(|line| line.starts_with("{{#presentation ")).count() + 1;
     let options = Options { samples: 0, ..Options::default() };
     let claims: Vec<_> = CATALOG.iter().map(|formula| formula.audit_equation(&options)).collect();

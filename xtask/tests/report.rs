@@ -1,5 +1,5 @@
-//! `cargo xtask report`: its JSON, its completeness, its files, its place in the book, and what `--against` says. No
-//! time is judged here. This program is both the tests and the measuring program, not optimised: so it has no harness.
+//! `cargo xtask report`: its JSON, its completeness, its files, its location in the book, and the output of `--against`. No time
+//! is judged here. This program is both the tests and the measuring program, unoptimised; therefore it has no test harness.
 
 mod common;
 
@@ -15,7 +15,7 @@ fn main() -> ExitCode {
     if std::env::var_os(IS_MEASURED).is_some() {
         return measuring::main(CATALOG, <dyn AnyFormula>::errors, <dyn AnyFormula>::times);
     }
-    // Who lists or filters tests asks for none of these, and a script of the shell needs one.
+    // Listing or filtering tests runs none of these, and a shell script requires Unix.
     if cfg!(unix) && std::env::args().len() == 1 {
         the_report_keeps_to_its_schema();
         every_formula_of_the_catalog_is_in_it_with_finite_figures();
@@ -31,7 +31,7 @@ fn main() -> ExitCode {
     ExitCode::SUCCESS
 }
 
-/// As little as can be.
+/// The smallest measurement possible.
 const LEAST: [&str; 8] = ["report", "--quick", "--samples", "2", "--rounds", "2", "--columns", "1"];
 
 /// A report on every formula.
@@ -42,12 +42,12 @@ fn report() -> Value {
     serde_json::from_str(&REPORT).unwrap()
 }
 
-/// A report on some formulas, made here and now.
+/// A report on some formulas, made on the spot.
 fn quick(bench: &Bench, filter: &str, more: &[&str]) -> Ran {
     least(bench, &[&["--filter", filter], more].concat())
 }
 
-/// The measuring program is this one.
+/// This program acts as the measuring program.
 fn least(bench: &Bench, more: &[&str]) -> Ran {
     bench.run_built(&std::env::current_exe().unwrap(), &[&LEAST[..], more].concat())
 }
@@ -103,7 +103,7 @@ fn every_formula_of_the_catalog_is_in_it_with_finite_figures() {
     }
 }
 
-/// Every number is there, finite and not negative; null stands only where there are no hard points.
+/// Every number is present, finite and not negative; null appears only if there are no hard points.
 fn assert_figures(figures: &Value, what: &str) {
     match figures {
         Value::Number(number) => assert!(number.as_f64().is_some_and(|x| x.is_finite() && x >= 0.0), "{what}"),
@@ -113,7 +113,7 @@ fn assert_figures(figures: &Value, what: &str) {
             }
         }
         Value::Array(all) => all.iter().for_each(|one| assert_figures(one, what)),
-        // Which hard point it is.
+        // The name of a hard point.
         Value::String(_) | Value::Bool(_) => {}
         Value::Null => panic!("{what} is null"),
     }
@@ -135,7 +135,7 @@ fn a_planted_loss_of_accuracy_is_named_and_exits_1() {
     let ran = ran.prints("slot.contact_force closed Jacobian, random points").prints("less accurate");
     let count = ran.stdout.matches("less accurate slot").count();
     assert_eq!(count, 1, "errors are the same in every run: {ran:#?}");
-    // As JSON the report alone is printed, and what is said of it beside.
+    // With JSON only the report is printed, and comments go to the other stream.
     let wanted = ["--format", "json", "--against", old.to_str().unwrap()];
     let ran =
         quick(&bench, "slot.contact_force", &wanted).exits(1).says("less accurate slot.contact_force closed Jacobian");
@@ -171,7 +171,7 @@ fn two_reports_on_everything_can_be_compared() {
     let old = bench.path("old.json");
     fs::write(&old, &*REPORT).unwrap();
     let ran = quick(&bench, "slot.*", &["--against", old.to_str().unwrap()]);
-    // Whether something became slower is chance here, on a machine that runs other tests; errors are the same.
+    // Whether something became slower is chance on a machine that runs other tests; errors are the same.
     assert!(matches!(ran.code, Some(0 | 1)), "{ran:#?}");
     for worse in ["less accurate slot", "fails at more points slot", "missing slot"] {
         assert!(!ran.stdout.contains(worse), "{ran:#?}");
@@ -221,8 +221,8 @@ fn what_is_no_report_is_refused_with_advice() {
     ran.says("is not a report").says("--format json");
 }
 
-/// Runs the command so that nothing is built or measured: the measuring program says what stands in the reference, and ends with
-/// this code.
+/// Runs the command without building or measuring: the measuring program returns the reference, and exits with this
+/// code.
 fn measured(bench: &Bench, code: i32, arguments: &[&str]) -> Ran {
     bench.run_measured(&reference(), code, arguments)
 }

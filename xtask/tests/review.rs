@@ -1,5 +1,5 @@
-//! A failing audit as reviewers see it. This program is both the tests and, if it is asked to be, a project whose only formula
-//! has a wrong derivative: so it has no harness.
+//! A failing audit as seen by reviewers. This program is both the tests and, on request, a project whose only formula
+//! has a wrong derivative; therefore it has no test harness.
 
 #[path = "common/broken.rs"]
 mod broken;
@@ -10,14 +10,14 @@ use kit::Project;
 use serde_json::Value;
 use std::process::{Command, ExitCode};
 
-/// Set where this program is to be the project.
+/// Set if this program is to act as the project.
 const IS_PROJECT: &str = "JOINTPROOF_TEST_IS_PROJECT";
 
 fn main() -> ExitCode {
     if std::env::var_os(IS_PROJECT).is_some() {
         return kit::main(&Project::new("review", env!("CARGO_MANIFEST_DIR"), &[&broken::Square]));
     }
-    // Who lists or filters tests asks for none of these.
+    // Listing or filtering tests runs none of these.
     if std::env::args().len() == 1 {
         a_failing_audit_stands_on_the_line_of_the_derivative();
         what_is_owed_is_no_finding_and_fails();
@@ -25,7 +25,7 @@ fn main() -> ExitCode {
     ExitCode::SUCCESS
 }
 
-/// A folder with the formula's source, and how the audit of it ends.
+/// A folder with the formula's source, in which it is audited.
 struct Review(tempfile::TempDir);
 
 impl Review {
@@ -85,7 +85,7 @@ fn a_failing_audit_stands_on_the_line_of_the_derivative() {
 fn what_is_owed_is_no_finding_and_fails() {
     let review = Review::new();
     let point = ["audit", "--filter", "broken.square", "--point", "{\"a\": 0}", "--format", "sarif"];
-    // At a = 0 the wrong sign is not seen, and a single point owes nothing.
+    // At a = 0 the wrong sign does not show, and the audit of a single point requires no further evidence.
     let sarif: Value = serde_json::from_str(&review.run(&point).quiet().stdout).unwrap();
     assert_eq!(sarif["runs"][0]["results"], Value::Array(Vec::new()));
     let ran = review.run(&["audit", "--samples", "20", "--format", "github"]).exits(1);

@@ -1,4 +1,4 @@
-//! `cargo xtask scene`: what it prints, what it says about mistakes, and the schema of its files.
+//! `cargo xtask scene`: its output, its error messages, and the schema of its files.
 
 use crate::common::{Bench, Ran, repository};
 use serde_json::{Value, json};
@@ -12,7 +12,7 @@ const WRONG: &str = r#"{
   "outputs": ["U1"]
 }"#;
 
-/// The path of a scene of the repository.
+/// The path of a scene in the repository.
 fn scene(name: &str) -> String {
     repository().join("golden/scenes").join(name).to_string_lossy().into_owned()
 }
@@ -23,7 +23,7 @@ fn all_mistakes_are_said_with_their_places_and_nothing_is_written() {
     let (wrong, plots) = (bench.path("wrong.json"), bench.path("plots"));
     fs::write(&wrong, WRONG).unwrap();
     let (wrong, folder) = (wrong.to_string_lossy(), plots.to_string_lossy());
-    // A scene that is right does not run beside one that is wrong.
+    // A correct scene does not run if given together with an incorrect one.
     let ran = bench.run(&["scene", &scene("rail.json"), &wrong, "--plot", &folder]).exits(1);
     assert_eq!(ran.stdout, "");
     assert!(!plots.exists());
@@ -44,7 +44,7 @@ fn text_has_a_table_for_every_output() {
     }
 }
 
-/// UR1, FR and FBEND are something else in a UJOINT than in a TRANSLATOR: each is called what it is of the element shown.
+/// UR1, FR and FBEND have different meanings in a UJOINT and in a TRANSLATOR: each is described for the element shown.
 #[test]
 fn every_output_is_called_what_it_is_of_its_own_connector() {
     let bench = Bench::new();
@@ -152,7 +152,7 @@ fn a_generated_scene_runs() {
     fs::write(&file, generated.stdout).unwrap();
     let ran = bench.run(&["scene", &file.to_string_lossy(), "--format", "csv"]).quiet();
     assert_eq!(ran.stdout.lines().count(), 1 + 100 * 5 * 5);
-    // A table has the first elements; what is no table has all.
+    // A table shows the first elements; other formats show all.
     let text = bench.run(&["scene", &file.to_string_lossy()]).quiet().prints("… and 92 more elements").stdout;
     let headings = text.lines().find(|line| line.trim_start().starts_with("time")).unwrap();
     assert_eq!(headings.split_whitespace().count(), 1 + 8, "{headings}");
@@ -161,7 +161,7 @@ fn a_generated_scene_runs() {
     assert_eq!(results["series"].as_array().unwrap().len(), 100 * 5);
 }
 
-/// A generated scene and its description with arrays: the names of the members differ, and nothing else.
+/// A generated scene and its description with arrays: only the names of the members differ.
 #[test]
 fn a_scene_of_arrays_gives_the_same_numbers() {
     let bench = Bench::new();
@@ -203,7 +203,7 @@ fn results_are_written_by_the_name_of_their_file() {
         let asked = [&["scene", &rail, "--out", "results.npz"], more].concat();
         bench.run(&asked).bad_usage("arrays are written without --error and --plot");
     }
-    // Where something is wrong, nothing is written.
+    // If something is wrong, nothing is written.
     let wrong = bench.path("wrong.json");
     fs::write(&wrong, WRONG).unwrap();
     let out = bench.path("none.npz");
@@ -211,7 +211,7 @@ fn results_are_written_by_the_name_of_their_file() {
     assert!(!out.exists());
 }
 
-/// What a mutation does to a scene.
+/// A mutation of a scene.
 type Mutation = fn(&mut Value);
 
 #[test]
@@ -247,7 +247,7 @@ fn the_schema_takes_every_scene_and_refuses_what_the_reader_refuses() {
         let text = serde_json::to_string(&wrong).unwrap();
         assert!(jointproof::scene::Scene::parse(&text).is_err(), "{what} is accepted by the reader");
     }
-    // Names of arrays stand where the scene names a file of them, and nowhere else.
+    // Names of arrays are allowed only if the scene names a file of arrays.
     let named: [(&str, Mutation); 3] = [
         ("a node", |scene| scene["nodes"]["inner"]["at"] = json!("inner")),
         ("a parameter", |scene| scene["elements"]["telescope"]["mu"] = json!("mu")),

@@ -1,4 +1,4 @@
-//! The schema of golden files accepts every one of them and nothing that is not one.
+//! The schema of golden files accepts all of them and rejects everything else.
 
 use crate::common;
 use jsonschema::Validator;
@@ -63,7 +63,7 @@ fn every_golden_file_is_valid() {
     }
 }
 
-/// The golden file with a scalar and a vector among its inputs that the mutations start from.
+/// The golden file that the mutations start from, with a scalar and a vector among its inputs.
 fn original() -> Value {
     golden().into_iter().find(|(name, _)| name == "slot.kinetic_force.json").unwrap().1
 }
@@ -74,7 +74,7 @@ fn case(file: &Value, flag: &str) -> usize {
     file["cases"].as_array().unwrap().iter().position(flagged).unwrap()
 }
 
-/// What a mutation does to the file, to a valid case and to an invalid one.
+/// A mutation of the file, of a valid case and of an invalid one.
 type Mutation = fn(file: &mut Value, valid: usize, invalid: usize);
 
 fn remove(object: &mut Value, key: &str) {

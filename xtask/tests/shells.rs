@@ -1,7 +1,7 @@
-//! `cargo xtask export --shell`: elements as Abaqus calls them, against the same elements in Rust.
+//! `cargo xtask export --shell`: elements as called by Abaqus, compared with the same elements in Rust.
 //!
-//! A driver in Fortran calls the routine with the arguments of its interface, at points that come over a pipe as the bits of their
-//! numbers, and answers with bits.
+//! A Fortran driver calls the routine with the arguments of its interface, at points received through a pipe as bits,
+//! and returns the results as bits.
 
 use crate::common::{Bench, is_here};
 use jointproof::connector::slot::SlotElement;
@@ -67,7 +67,8 @@ contains
 end program driver
 ";
 
-/// What the element gives: residual and matrix in Abaqus's sense, the state after, and the part of the time increment.
+/// The results of the element: residual and matrix in Abaqus's sense, the state after the step, and the factor for the
+/// time increment.
 #[derive(Clone, Debug, PartialEq)]
 struct Answer {
     rhs: Vec<f64>,
@@ -79,15 +80,15 @@ struct Answer {
 impl Answer {
     fn bits(&self) -> Vec<u64> {
         let numbers = self.rhs.iter().chain(&self.amatrx).chain(&self.svars);
-        // A matrix that is minus a derivative may have either zero.
+        // The negative of a derivative may have either sign of zero.
         numbers.map(|x| (x + 0.0).to_bits()).collect()
     }
 }
 
-/// A point at which the element is asked.
+/// A point at which the element is evaluated.
 #[derive(Clone, Debug)]
 struct Point {
-    /// Behind the triads.
+    /// Those after the triads.
     props: Vec<f64>,
     svars: Vec<f64>,
     triads: [[Vector3<f64>; 3]; 2],
@@ -95,10 +96,10 @@ struct Point {
     u: Vec<f64>,
 }
 
-/// What compiles the shells; where it is absent there is nothing to compare.
+/// The compiler of the shells; without it there is nothing to compare.
 const COMPILER: &str = "gfortran";
 
-/// The routine, compiled, behind a pipe.
+/// The compiled routine, called through a pipe.
 struct Peer {
     child: Child,
     to: ChildStdin,
@@ -128,7 +129,7 @@ impl Peer {
         Self { child, to, from, sizes, _bench: bench }
     }
 
-    /// What the routine says at a point, for `LFLAGS(3)`.
+    /// The results of the routine at a point, for `LFLAGS(3)`.
     fn ask(&mut self, what: i32, point: &Point) -> Answer {
         let Point { props, svars, triads, coords, u } = point;
         let triads = triads.iter().flatten().flatten().copied();
@@ -161,7 +162,7 @@ impl Drop for Peer {
     }
 }
 
-/// A vector turned by a rotation vector, in the same operations as the shell.
+/// A vector rotated by a rotation vector, with the same operations as in the shell.
 fn turned(rotation: &[f64], e: &Vector3<f64>) -> Vector3<f64> {
     let rotation = Vector3::from_column_slice(rotation);
     let angle = rotation.dot(&rotation).sqrt();
@@ -181,14 +182,15 @@ fn nodes(point: &Point) -> Nodes<f64> {
     Nodes::new(triads, [moved(xa, &u[..3]), moved(xb, &u[6..9])])
 }
 
-/// An element of PROPS: first what was measured at the start, then how it rubs, if the stiffness in stick is not 0.
+/// An element from PROPS: first the measurements in the initial configuration, then the friction parameters, if the
+/// stick stiffness is not 0.
 fn made<E: Element<N>, const N: usize>(props: &[f64]) -> Parameters<E, f64, N> {
     let (start, contact) = props.split_at(E::Start::<f64>::LEN);
     let contact = (contact[0] > 0.0).then(|| Fields::from_slice(contact).unwrap());
     Parameters { start: Fields::from_slice(start).unwrap(), contact }
 }
 
-/// What the element in Rust says at a point, in Abaqus's sense.
+/// The results of the element in Rust at a point, in Abaqus's sense.
 fn in_rust<E: Element<N, Nodes<f64> = Nodes<f64>>, const N: usize>(point: &Point) -> Answer {
     let multipliers = SVector::<f64, N>::from_column_slice(&point.u[12..]);
     let before = Fields::from_slice(&point.svars).unwrap();
@@ -227,7 +229,7 @@ fn axes(turn: &Rotation3<f64>) -> [Vector3<f64>; 3] {
     [0, 1, 2].map(|k| m.column(k).into_owned())
 }
 
-/// Asks both at points that stick and slip: every bit is the same, whatever is asked for.
+/// Evaluates both at points that stick and slip: every bit agrees, whatever is requested.
 fn compare<E: Element<N, Nodes<f64> = Nodes<f64>>, const N: usize>(
     shell: &str,
     props: impl Fn(&mut Numbers) -> Vec<f64>,
@@ -257,7 +259,7 @@ fn compare<E: Element<N, Nodes<f64> = Nodes<f64>>, const N: usize>(
         assert_eq!((&stiffness.amatrx, &stiffness.svars), (&found.amatrx, &point.svars));
         let mass = peer.ask(4, &point);
         assert!(mass.rhs.iter().chain(&mass.amatrx).all(|&x| x == 0.0));
-        // Where a node is lost, a smaller increment is asked for.
+        // If a node has an invalid position, a smaller increment is requested.
         let mut lost = point.clone();
         lost.u[0] = f64::NAN;
         let refused = peer.ask(1, &lost);
@@ -265,7 +267,7 @@ fn compare<E: Element<N, Nodes<f64> = Nodes<f64>>, const N: usize>(
     }
 }
 
-/// A stiffness that sticks, slips, or, for a smooth contact, is 0.
+/// A stick stiffness for sticking or slipping, or 0 for no friction.
 fn stiffness(numbers: &mut Numbers) -> f64 {
     let x = numbers.next();
     if x < -0.6 { 0.0 } else { 10_f64.powf(4.0 * x) }
@@ -299,7 +301,7 @@ fn ujoint_has_every_bit_of_rust() {
     });
 }
 
-/// Springs that hold both bodies: at the ends of arms, which turn with them, to places in the ground.
+/// Springs that hold both bodies: from the ends of arms, which rotate with them, to fixed points.
 const SPRINGS: [[[f64; 3]; 2]; 4] = [
     [[0.5, 1.0, -0.25], [0.75, 1.5, 0.5]],
     [[-0.5, 0.25, 1.0], [-0.25, 0.5, 1.0]],
@@ -307,7 +309,7 @@ const SPRINGS: [[[f64; 3]; 2]; 4] = [
     [[0.25, 0.5, -1.0], [1.0, 1.25, -0.5]],
 ];
 
-/// Adds springs to right-hand side and matrix: the first two hold a, the others b.
+/// Adds springs to right-hand side and matrix: the first two act on a, the others on b.
 fn add_springs(point: &Point, matrix: &mut DMatrix<f64>, right: &mut DVector<f64>) {
     const SPRING: f64 = 50.0;
     for (k, [arm, place]) in SPRINGS.map(|spring| spring.map(Vector3::from)).into_iter().enumerate() {
@@ -326,7 +328,7 @@ fn add_springs(point: &Point, matrix: &mut DMatrix<f64>, right: &mut DVector<f64
     }
 }
 
-/// Newton's method for two bodies on springs, which the element joins: the size of every step, and the state in the end.
+/// Newton's method for two bodies on springs, joined by the element: the size of every step, and the final state.
 fn steps(start: &Point, mut ask: impl FnMut(&Point) -> Answer) -> (Vec<f64>, Vec<f64>) {
     let mut point = start.clone();
     let all = point.u.len();
@@ -349,7 +351,7 @@ fn steps(start: &Point, mut ask: impl FnMut(&Point) -> Answer) -> (Vec<f64>, Vec
     (sizes, after)
 }
 
-/// The error is squared from step to step, down to rounding, once it no longer grows because something begins to slip.
+/// From step to step the error is squared, down to rounding, once it no longer grows because of beginning slip.
 fn is_quadratic(sizes: &[f64]) -> bool {
     let last_growth = sizes.windows(2).rposition(|pair| pair[1] > pair[0]).map_or(0, |k| k + 1);
     let mut small = sizes[last_growth..].windows(2).filter(|pair| pair[0] < 0.1);
@@ -370,7 +372,7 @@ fn newton_converges_through_the_interface_as_in_rust() {
         u: vec![0.0; 12 + multipliers],
     };
     let mut peers = [Peer::new("uel-translator", [5, 2, 29]), Peer::new("uel-ujoint", [4, 4, 33])];
-    // Smooth, sticking, slipping.
+    // Without friction, sticking, slipping.
     for (k_stick, mu, fit, slips) in [(0.0, 0.25, 0.0, false), (20.0, 0.25, 100.0, false), (1e3, 0.02, 0.0, true)] {
         let at_start = [0.5, 0.25, 0.0, 0.0, 0.0, 0.0, k_stick];
         let props = [&at_start[..], &[0.25, 2.0, fit, mu]].concat();

@@ -1,11 +1,11 @@
-//! `cargo xtask tidy` as a user runs it, on a copy of the repository.
+//! `cargo xtask tidy` as run by a user, on a copy of the repository.
 
 use crate::common::Bench;
 use std::fs;
 
 const REPOSITORY: [&str; 5] = ["Cargo.toml", "book/src", "src", "tests", "xtask"];
 
-/// Puts a line at the end of a file.
+/// Appends a line to a file.
 fn append(bench: &Bench, file: &str, line: &str) {
     let text = fs::read_to_string(bench.path(file)).unwrap();
     fs::write(bench.path(file), format!("{text}{line}\n")).unwrap();

@@ -1,12 +1,12 @@
-//! What errors say: what was found, and what is allowed instead.
+//! The messages of errors: what was found, and what is allowed instead.
 
 use super::Error;
 use std::fmt;
 
-/// What an error says.
+/// The parts of a message.
 struct Message {
     found: String,
-    /// What stands between the two.
+    /// The text between the two.
     join: &'static str,
     allowed: String,
 }
@@ -51,12 +51,12 @@ impl Error {
         self.message(&by_number).found
     }
 
-    /// What is allowed instead: the last part of the message.
+    /// The allowed values: the last part of the message.
     pub fn allowed(&self) -> String {
         self.message(&by_number).allowed
     }
 
-    /// What inputs must be so that this error does not come, whatever they are.
+    /// The condition on inputs that avoids this error, independent of their values.
     ///
     /// ```
     /// # use jointproof::Error;
@@ -78,12 +78,12 @@ impl Error {
         }
     }
 
-    /// Whether both say the same of the same inputs, whatever the numbers.
+    /// Whether both state the same condition on the same inputs, whatever the numbers.
     pub fn is_alike(&self, other: &Self) -> bool {
         self.required() == other.required()
     }
 
-    /// What it says, with nodes called by these names instead of their numbers.
+    /// The message, with nodes called by these names instead of their numbers.
     pub fn with_names(&self, name: impl Fn(u32) -> String) -> String {
         self.message(&name).to_string()
     }

@@ -1,4 +1,4 @@
-//! Named cases, and what they are for.
+//! Named cases and their purposes.
 
 /// What a case is for.
 #[derive(
@@ -39,9 +39,9 @@ impl Flag {
 pub struct Case<I> {
     /// Identifier, unique within the formula.
     pub id: String,
-    /// What it is for.
+    /// Its purpose.
     pub flag: Flag,
-    /// What is to be seen in it; may be empty.
+    /// What it shows; may be empty.
     pub comment: &'static str,
     /// The inputs.
     pub inputs: I,

@@ -1,4 +1,4 @@
-//! What is said about an element, so that the toolkit can check it.
+//! The evidence for an element that the toolkit checks.
 
 use super::Case;
 use crate::Octuple;
@@ -10,21 +10,21 @@ use crate::number::scalar::Scalar;
 use nalgebra::SVector;
 use std::marker::PhantomData;
 
-/// All that an element computes from, at one step of Newton's method.
+/// Everything an element computes from, at one step of Newton's method.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Step<E: Element<M, DOFS>, D: Component, const M: usize, const DOFS: usize = 12> {
-    /// Where its nodes are, and how they are turned.
+    /// Positions and orientations of its nodes.
     pub nodes: E::Nodes<D>,
     /// The multipliers.
     pub multipliers: SVector<D, M>,
-    /// What the element was made with.
+    /// The parameters of the element.
     pub parameters: Parameters<E, D, M, DOFS>,
-    /// What friction remembers; of no matter where it does not rub.
+    /// The state of friction; irrelevant without friction.
     pub before: E::State<D>,
 }
 
 impl<E: Element<M, DOFS>, D: Scalar, const M: usize, const DOFS: usize> Step<E, D, M, DOFS> {
-    /// From components in the order of [`inputs`]; the state is 0 where it does not rub.
+    /// From components in the order of [`inputs`]; the state is 0 without friction.
     pub(crate) fn of(components: &[D], rubs: bool) -> Self {
         let mut rest = components.iter().copied();
         let mut next = || rest.next().expect("there is a component for every field");
@@ -50,8 +50,8 @@ impl<E: Element<M, DOFS>, D: Scalar, const M: usize, const DOFS: usize> Step<E, 
         all
     }
 
-    /// What the element makes of it: residuals, rows, forces, stiffness, derivative by the multipliers, and, where it rubs,
-    /// the state after.
+    /// The results of the element: residuals, rows, forces, stiffness, derivative with respect to the multipliers,
+    /// and, with friction, the state after the step.
     pub(crate) fn results(&self) -> Vec<D> {
         self.in_order(self.parameters.contribution(&self.nodes, &self.multipliers, &self.before))
     }
@@ -67,19 +67,19 @@ impl<E: Element<M, DOFS>, D: Scalar, const M: usize, const DOFS: usize> Step<E, 
 }
 
 impl<E: Element<M, DOFS>, const M: usize, const DOFS: usize> Step<E, f64, M, DOFS> {
-    /// The results at numbers that are checked.
+    /// The results, with the numbers checked.
     ///
     /// # Errors
-    /// As [`Parameters::newton`].
+    /// As for [`Parameters::newton`].
     pub(crate) fn checked_results(&self) -> Result<Vec<f64>, Error> {
         Ok(self.in_order(self.parameters.newton(&self.nodes, &self.multipliers, &self.before)?))
     }
 }
 
-/// No element has more fields.
+/// The largest number of fields that an element may have.
 const MOST: usize = 64;
 
-/// What an element computes from, which the compiler puts together.
+/// The input fields of an element, concatenated at compile time.
 struct Inputs<E, const M: usize, const DOFS: usize>(PhantomData<E>);
 
 impl<E: Element<M, DOFS>, const M: usize, const DOFS: usize> Inputs<E, M, DOFS> {
@@ -105,18 +105,18 @@ const fn joined(lists: &[&[Field]]) -> ([Field; MOST], usize) {
     (all, count)
 }
 
-/// What an element computes from: nodes, multipliers, start, and, where it rubs, contact and state.
+/// The inputs of an element: nodes, multipliers, start, and, with friction, contact and state.
 pub(crate) const fn inputs<E: Element<M, DOFS>, const M: usize, const DOFS: usize>(rubs: bool) -> &'static [Field] {
     let (all, count) = if rubs { Inputs::<E, M, DOFS>::RUBBING_FIELDS } else { Inputs::<E, M, DOFS>::SMOOTH_FIELDS };
     all.split_at(*count).0
 }
 
-/// A friction, and the free motion that it works against.
+/// A friction force and the motion that it opposes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rubbed<D> {
-    /// How far it has moved in the step.
+    /// The displacement in the step.
     pub motion: D,
-    /// The friction before the step and after it.
+    /// The friction force before and after the step.
     pub force: [D; 2],
     /// The stiffness in stick.
     pub k_stick: D,
@@ -126,23 +126,23 @@ pub struct Rubbed<D> {
 
 /// The evidence for an element.
 pub trait ProvedElement<const M: usize, const DOFS: usize = 12>: Element<M, DOFS> {
-    /// Whether rows are the derivative of the residuals wherever the nodes are, and not only where the residuals vanish.
+    /// Whether the rows are the derivative of the residuals for all positions of the nodes, not only where the residuals vanish.
     const EXACT_ROWS: bool = true;
 
-    /// Hand-worked and hard cases; random ones are added.
+    /// Hand-worked and hard cases; random ones are added automatically.
     fn cases() -> Vec<Case<Step<Self, f64, M, DOFS>>>;
 
-    /// A step where the element is used, from one whose components were drawn one by one.
+    /// A realistic step, made from one whose components were drawn one by one.
     fn placed(drawn: Step<Self, f64, M, DOFS>) -> Step<Self, f64, M, DOFS> {
         drawn
     }
 
-    /// The same with the nodes where the residuals vanish, of an element that has no [`EXACT_ROWS`](Self::EXACT_ROWS).
+    /// The step with its nodes moved to where the residuals vanish, for an element without [`EXACT_ROWS`](Self::EXACT_ROWS).
     fn held(step: Step<Self, Octuple, M, DOFS>) -> Step<Self, Octuple, M, DOFS> {
         step
     }
 
-    /// Its frictions after the step, by the formulas of the document.
+    /// Its friction forces after the step, by the formulas of the document.
     fn rubbed<D: Scalar>(_: &Step<Self, D, M, DOFS>, _: &Self::State<D>) -> Vec<Rubbed<D>> {
         Vec::new()
     }

@@ -1,4 +1,4 @@
-//! Points of interest, declared once: every formula that takes positions, norms or loads is tested on these.
+//! Points of interest, declared once: every formula with positions, norms or loads as inputs is tested at these.
 
 use nalgebra::{SVector, Vector2, Vector3};
 
@@ -37,7 +37,7 @@ pub fn places<const N: usize>() -> Vec<Hard<[SVector<f64, N>; 2]>> {
     ]
 }
 
-/// Components of a norm: zero, one component alone, squares that under- or overflow, components of very different size.
+/// Components of a norm: zero, a single component, squares that under- or overflow, components of very different size.
 pub fn norms<const N: usize>() -> Vec<Hard<[f64; N]>> {
     let with = |scale: f64, others: f64| {
         let mut components = [others; N];
@@ -60,7 +60,7 @@ pub fn norms<const N: usize>() -> Vec<Hard<[f64; N]>> {
     ]
 }
 
-/// As [`norms`], for loads that are multiplied before a norm is taken: subnormal ones would lose their digits there.
+/// As [`norms`], for loads that are multiplied before a norm is taken: subnormal ones would lose digits there.
 pub fn loads<const N: usize>() -> Vec<Hard<[f64; N]>> {
     norms().into_iter().filter(|load| load.id != "subnormal").collect()
 }
@@ -92,12 +92,12 @@ pub fn loaded_arms() -> Vec<Hard<[f64; 3]>> {
     ]
 }
 
-/// A triad in space away from every axis, right to an ulp: the quaternion (1, 2, 3, 4)/√30.
+/// A triad in space away from every axis, accurate to an ulp: the quaternion (1, 2, 3, 4)/√30.
 pub fn triad() -> [Vector3<f64>; 3] {
     FIFTEENTHS.map(|row| Vector3::from(row) / 15.0)
 }
 
-/// The triad that a quaternion of any length turns the global one into, the same on every machine.
+/// The global triad rotated by a quaternion of any length, the same on every machine.
 pub fn turned(quaternion: [f64; 4]) -> [Vector3<f64>; 3] {
     let [w, x, y, z] = quaternion;
     let per = 2.0 / (w * w + x * x + y * y + z * z);
@@ -122,7 +122,7 @@ mod tests {
     use super::*;
     use std::collections::BTreeSet;
 
-    /// The number that stands in an identifier behind a word.
+    /// The number that follows a word in an identifier.
     fn named(id: &str, word: &str) -> Option<f64> {
         let said = id.split_once(word)?.1;
         let end = said.find("-loads").unwrap_or(said.len());

@@ -3,31 +3,31 @@
 use crate::Octuple;
 use crate::formula::{Fields, Formula, typed};
 
-/// What is done where a formula has no derivative.
+/// The convention where a formula has no derivative.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Convention {
-    /// The minimum-norm subgradient, 0, in the closed form and in automatic differentiation alike.
+    /// The minimum-norm subgradient, 0, in both the closed form and automatic differentiation.
     Subgradient,
-    /// The value is defined; the Jacobian is one of the one-sided ones and is left out of golden files.
+    /// The value is defined; the Jacobian is one of the one-sided ones and is omitted from golden files.
     Switch,
-    /// An angle jumps by a full turn; its derivative is the same on both sides and is given as anywhere else.
+    /// An angle jumps by a full turn; its derivative is the same on both sides and is returned as usual.
     Cut,
 }
 
-/// A condition on inputs that are exact in 237 bits.
+/// A condition on inputs in 237 bits.
 pub type Condition<F> = Box<dyn Fn(&<F as Formula>::Inputs<Octuple>) -> bool>;
 
-/// Picks inputs from those that hold the places of their components.
+/// Selects inputs from a struct that holds the indices of its components.
 type Pick<F, const N: usize> = fn(&<F as Formula>::Inputs<usize>) -> [usize; N];
 
-/// A place where a formula has no derivative.
+/// A set of points where a formula has no derivative.
 #[non_exhaustive]
 pub struct Kink<F: Formula> {
     /// The condition, in LaTeX.
     pub condition: String,
-    /// What is done there.
+    /// The convention there.
     pub convention: Convention,
-    /// Whether inputs, exact in 237 bits, are on the kink.
+    /// Whether inputs, in 237 bits, are on the kink.
     pub holds: Condition<F>,
     /// A point on the kink.
     pub at: F::Inputs<f64>,
@@ -36,7 +36,7 @@ pub struct Kink<F: Formula> {
 }
 
 impl<F: Formula> Kink<F> {
-    /// A kink by its condition in words and in code, a point on it, and a direction across it.
+    /// A kink given by its condition in words and in code, a point on it, and a direction across it.
     pub fn new(
         convention: Convention,
         condition: impl Into<String>,
@@ -67,7 +67,7 @@ impl<F: Formula> Kink<F> {
         Self::new(Convention::Switch, condition, holds, at, across)
     }
 
-    /// The kink of the absolute value of one input, at which the derivative is 0 by convention; elsewhere the inputs are
+    /// The kink of the absolute value of one input, at which the derivative is 0 by convention; the other inputs are
     /// as in `near`.
     ///
     /// ```
@@ -91,8 +91,8 @@ impl<F: Formula> Kink<F> {
         Self::vanishing(Convention::Switch, near, parameter)
     }
 
-    /// The place where some inputs are all 0. They are named by a function that picks them from inputs which hold the
-    /// places of their components.
+    /// The kink where some inputs are all 0. The function `inputs` selects them from a struct that holds the indices
+    /// of its components.
     pub fn vanishing<const N: usize>(convention: Convention, near: F::Inputs<f64>, inputs: Pick<F, N>) -> Self {
         let places: Vec<usize> = (0..F::Inputs::<usize>::LEN).collect();
         let vanish = inputs(&typed(&places));
@@ -112,7 +112,7 @@ impl<F: Formula> Kink<F> {
     }
 }
 
-/// The symbol of the component at this place: `f_1`, or `n_2` for the second one of **n**.
+/// The symbol of the component at this index: `f_1`, or `n_2` for the second one of **n**.
 fn symbol<F: Formula>(place: usize) -> String {
     let mut first = 0;
     for field in F::Inputs::<f64>::FIELDS {

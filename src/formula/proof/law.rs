@@ -1,4 +1,4 @@
-//! Laws: what physics demands of a formula, and the words to state it in.
+//! Laws: physical conditions on a formula, and the vocabulary to state them.
 
 use crate::formula::Formula;
 use crate::number::scalar::norm;
@@ -6,10 +6,10 @@ use crate::{Octuple, Scalar};
 use nalgebra::Vector3;
 use num_traits::{Signed, Zero};
 
-/// Both sides of a law, at inputs exact in 237 bits.
+/// Both sides of a law, at inputs in 237 bits.
 type Sides<F> = fn(&<F as Formula>::Inputs<Octuple>) -> Vec<Equation>;
 
-/// Something physics demands, as pairs of numbers that must be equal.
+/// A physical law, as pairs of numbers that must be equal.
 #[non_exhaustive]
 pub struct Law<F: Formula> {
     /// The law in a few words.
@@ -25,7 +25,7 @@ impl<F: Formula> Law<F> {
     }
 }
 
-/// Two numbers that a [`Law`] says are equal, and the size of the terms they were summed from.
+/// Two numbers that a [`Law`] states to be equal, and the size of the terms they were summed from.
 #[derive(Clone, Copy, Debug)]
 pub struct Equation {
     /// One side.
@@ -69,7 +69,7 @@ pub fn equal_vectors(left: Vector3<Octuple>, right: Vector3<Octuple>) -> Vec<Equ
     left.iter().zip(right.iter()).map(equation).collect()
 }
 
-/// A force does no work in a direction.
+/// A force does no work along a direction.
 pub fn no_work(force: Vector3<Octuple>, direction: Vector3<Octuple>) -> Vec<Equation> {
     let scale = length(force) * length(direction);
     vec![Equation { left: force.dot(&direction), right: Octuple::zero(), scale }]
@@ -81,13 +81,13 @@ pub fn parallel(left: Vector3<Octuple>, right: Vector3<Octuple>) -> Vec<Equation
     left.cross(&right).iter().map(|&left| Equation { left, right: Octuple::zero(), scale }).collect()
 }
 
-/// Numbers are 0 that were summed from terms of the size of `term`.
+/// Numbers vanish that were summed from terms of the size of `term`.
 pub fn vanish(numbers: impl IntoIterator<Item = Octuple>, term: Octuple) -> Vec<Equation> {
     equal_all_with(numbers.into_iter().map(|number| (number, Octuple::zero())), term)
 }
 
-/// A right-handed orthonormal triad to 237 bits from one that is so to 53: the first vector is kept in direction, the
-/// second in the plane of the first two.
+/// A right-handed orthonormal triad in 237 bits from one that is so in 53 bits: the direction of the first vector and
+/// the plane of the first two are kept.
 pub fn orthonormal<D: Scalar>([first, second, _]: [Vector3<D>; 3]) -> [Vector3<D>; 3] {
     let unit = |v: Vector3<D>| v / norm([v.x, v.y, v.z]);
     let first = unit(first);
@@ -95,7 +95,7 @@ pub fn orthonormal<D: Scalar>([first, second, _]: [Vector3<D>; 3]) -> [Vector3<D
     [first, third.cross(&first), third]
 }
 
-/// By how much the two sides differ, relative to their scale; 0 where all is 0.
+/// The difference of both sides relative to their scale; 0 if all are 0.
 pub fn residual(equation: &Equation) -> f64 {
     let difference = (equation.left - equation.right).abs();
     if difference.is_zero() { 0.0 } else { (difference / equation.scale).to_f64() }

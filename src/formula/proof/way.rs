@@ -1,12 +1,13 @@
-//! The ways to compute a formula, each compiled as one piece, so that nothing is called through a pointer while it is timed.
+//! The methods of computing a formula, each compiled as one piece, so that nothing is called through a pointer while it is timed.
 
 use crate::formula::{Fields, Formula, entries, typed};
 use crate::formula::{Jet, differentiate};
 use std::hint::black_box;
 
-/// One way to compute a formula: its value, its Jacobian, or both.
+/// One method of computing a formula: its value, its Jacobian, or both.
 ///
-/// A formula registers its own in [`Proved::ways`](super::Proved::ways), by one function that is generic over the scalar:
+/// A formula registers its own methods in [`Proved::ways`](super::Proved::ways), each as a function that is generic
+/// over the scalar:
 ///
 /// ```
 /// use jointproof::Scalar;
@@ -22,14 +23,14 @@ use std::hint::black_box;
 pub struct Way {
     pub(crate) id: &'static str,
     pub(crate) title: &'static str,
-    /// The step, if it is one of differences.
+    /// The step, if it uses finite differences.
     pub(crate) step: Option<f64>,
     pub(crate) value: Option<Kernel>,
     pub(crate) jacobian: Option<Kernel>,
 }
 
 impl Way {
-    /// A way to compute the value, given twice: for the value itself, and for automatic differentiation of it.
+    /// A method of computing the value, given twice: once for the value itself and once for its automatic differentiation.
     pub fn new<F: Formula>(
         id: &'static str,
         title: &'static str,
@@ -44,7 +45,8 @@ impl Way {
         ))
     }
 
-    /// A way to compute the value whose derivative is another: equal where the inputs keep to conditions among themselves.
+    /// A method of computing the value that agrees with the formula only where the inputs satisfy conditions among
+    /// themselves, so that its derivative differs.
     pub fn of_value<F: Formula>(
         id: &'static str,
         title: &'static str,
@@ -53,41 +55,41 @@ impl Way {
         Self::of(id, title).value(Kernel::new(typed, value, Fields::components))
     }
 
-    /// A way that computes nothing yet.
+    /// A method without kernels.
     pub(crate) fn of(id: &'static str, title: &'static str) -> Self {
         Self { id, title, step: None, value: None, jacobian: None }
     }
 
-    /// The way with this value.
+    /// The method with this kernel for the value.
     pub(crate) fn value(self, kernel: Kernel) -> Self {
         Self { value: Some(kernel), ..self }
     }
 
-    /// The way with this Jacobian.
+    /// The method with this kernel for the Jacobian.
     pub(crate) fn jacobian(self, kernel: Kernel) -> Self {
         Self { jacobian: Some(kernel), ..self }
     }
 }
 
-/// Runs over so many of the points.
+/// Runs over the first `count` points.
 pub(crate) type Runner = Box<dyn FnMut(usize)>;
 
-/// The results at components, as doubles in order.
+/// The results as doubles in order, computed from components.
 type Results = Box<dyn Fn(&[f64]) -> Vec<f64>>;
-/// Makes the loop to be timed over points.
+/// Creates the loop to be timed over points.
 type MakeRunner = Box<dyn Fn(&[Vec<f64>]) -> Runner>;
 
-/// A computation, to be looked at and to be timed.
+/// A computation whose results can be inspected and that can be timed.
 #[cfg_attr(not(feature = "measure"), expect(dead_code, reason = "what a way computes is read where it is measured"))]
 pub(crate) struct Kernel {
-    /// What it computes of components, as doubles in order.
+    /// The results as doubles in order, computed from components.
     pub(crate) results: Results,
-    /// The loop to be timed, over inputs converted beforehand.
+    /// Creates the loop to be timed, with inputs converted beforehand.
     pub(crate) runner: MakeRunner,
 }
 
 impl Kernel {
-    /// `convert` makes the computation's own inputs, `compute` is what is timed, `doubles` reads the result.
+    /// `convert` makes the computation's own inputs, `compute` is what is timed, `doubles` reads its result.
     pub(crate) fn new<I: 'static, O>(
         convert: fn(&[f64]) -> I,
         compute: impl Fn(&I) -> O + Copy + 'static,
@@ -97,9 +99,9 @@ impl Kernel {
         Self::of(convert, results, move |points| each(points, compute))
     }
 
-    /// With a loop of its own, `over`, that calls the formula by its name: so it is compiled in the loop as in that of a program. What is
-    /// handed over as a value is called behind another call. As [`each`] it is not inlined. `compute` is a pointer, and not compiled a
-    /// second time.
+    /// With a loop of its own, `over`, that calls the formula by name and is compiled with it, as in a user's program;
+    /// a function passed as a value would add another call. Like [`each`], `over` is not inlined. `compute` is a
+    /// pointer, so that it is not compiled a second time.
     #[cfg(feature = "measure")]
     pub(crate) fn with_loop<I: 'static, O: 'static>(
         convert: fn(&[f64]) -> I,
@@ -110,7 +112,7 @@ impl Kernel {
         Self::of(convert, move |i| doubles(&compute(i)), over)
     }
 
-    /// `results` reads what is computed of converted inputs.
+    /// `results` reads the results for converted inputs.
     fn of<I: 'static>(
         convert: fn(&[f64]) -> I,
         results: impl Fn(&I) -> Vec<f64> + 'static,
@@ -126,17 +128,17 @@ impl Kernel {
     }
 }
 
-/// The loop, a function that is not inlined, as a program has it: within another, which keeps the points, some formulas take a sixth
-/// longer.
+/// The loop, in a function that is not inlined, as in a user's program. Inlined into a function that owns the points,
+/// some formulas take a sixth longer.
 #[inline(never)]
 fn each<I, O>(points: &[I], compute: impl Fn(&I) -> O) {
-    // What looks at a result may have changed all memory, so every point is read anew.
+    // The black box may have changed all memory, so every point is read anew.
     for i in points {
         black_box(&compute(i));
     }
 }
 
-/// Compiled once a kind of inputs, and not once a way.
+/// Compiled once per type of inputs, not once per method.
 fn converted<I>(points: &[Vec<f64>], convert: fn(&[f64]) -> I) -> Vec<I> {
     points.iter().map(|point| convert(point)).collect()
 }

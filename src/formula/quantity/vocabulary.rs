@@ -1,4 +1,4 @@
-//! What is said about a quantity: unit, shape, allowed values.
+//! The properties of a quantity: unit, shape, allowed values.
 
 use std::fmt;
 
@@ -84,7 +84,7 @@ impl fmt::Display for Unit {
     }
 }
 
-/// How many components a quantity has: a scalar, a column of two or three, or a matrix of as many rows and columns.
+/// How many components a quantity has: a scalar, a column of two or three, or a square matrix of two or three rows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shape {
     /// One number.
@@ -123,12 +123,12 @@ impl Shape {
     }
 }
 
-/// A node, by its name.
+/// A node, identified by its name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Node(pub &'static str);
 
 impl Node {
-    /// The first node of a connector, whose triad carries it.
+    /// The first node of a connector, whose triad the connector follows.
     pub const A: Self = Self("a");
     /// The second node of a connector, at which the constraint acts.
     pub const B: Self = Self("b");
@@ -152,14 +152,14 @@ pub enum Domain {
     Within(f64, f64),
     /// A number between the bounds or on the lower one.
     HalfOpen(f64, f64),
-    /// A point: moves and turns with the model.
+    /// A point: translates and rotates with the model.
     Point,
-    /// A free vector (a displacement, a force), or a matrix that takes one to another: turns with the model.
+    /// A free vector (a displacement, a force), or a matrix that maps one to another: rotates with the model.
     Vector,
-    /// A unit vector: turns with the model.
+    /// A unit vector: rotates with the model.
     Direction,
-    /// Unit vector of a triad, by node and axis 1, 2 or 3: turns with the model. The vectors of one node are drawn as
-    /// one rotation, never the identity.
+    /// Unit vector of a triad, by node and axis 1, 2 or 3: rotates with the model. The vectors of one node are drawn
+    /// as one rotation, never the identity.
     Triad(Node, usize),
 }
 
@@ -177,7 +177,7 @@ impl Domain {
         }
     }
 
-    /// Whether what has it turns with the model.
+    /// Whether a quantity with this domain rotates with the model.
     pub const fn turns(self) -> bool {
         matches!(self, Self::Point | Self::Vector | Self::Direction | Self::Triad(..))
     }

@@ -3,17 +3,17 @@
 //! jₙ(x) = xⁿ/(2n+1)!! · Σₖ (−1)ᵏ x²ᵏ / (2ᵏ k! (2n+3)(2n+5)…(2n+2k+1))  (Abramowitz & Stegun 10.1.2),
 //! and in closed form (10.1.11)  j₀ = sin x / x,  j₁ = sin x / x² − cos x / x,
 //! j₂ = (3/x³ − 1/x) sin x − 3 cos x / x².
-//! The closed forms of j₁ and j₂ lose the digits of 3/x² and 15/x⁴ to cancellation, so the series serves up to
+//! The closed forms of j₁ and j₂ lose the digits of 3/x² and 15/x⁴ to cancellation, so the series is used up to
 //! [`SERIES_UP_TO`]; there its first term dominates and Horner's scheme keeps the error within two ulps.
 
 use num_dual::DualNum;
 
-/// The series serves |x| up to here. At 2 both ways lose less than a factor of three to cancellation.
+/// The series is used for |x| up to here. At 2 both methods lose less than a factor of three to cancellation.
 const SERIES_UP_TO: f64 = 2.0;
-/// At |x| = 2 the first term left out, number 36, is below 2^-260 of the first.
+/// At |x| = 2 the first omitted term, number 36, is below 2^-260 of the first.
 const TERMS: u32 = 35;
 
-/// j₀(x) = sin x / x, which nowhere cancels; 1 at 0 and 0 at ±∞.
+/// j₀(x) = sin x / x, which has no cancellation; 1 at 0 and 0 at ±∞.
 pub(crate) fn j0<D: DualNum<Primitive = f64> + Copy>(x: D) -> D {
     if x.is_zero() {
         return D::one();

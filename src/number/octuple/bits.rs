@@ -5,7 +5,7 @@ use ::f256::f256;
 /// Fraction bits of `f256` in the upper half of its bits; the lower half holds the other 128.
 pub(super) const HIGH_FRACTION_BITS: u32 = 108;
 
-/// What is added to an exponent of `f256` to store it.
+/// The bias of the stored exponent of `f256`.
 pub(super) const BIAS: i32 = 262_143;
 
 /// e of a finite |x| = 1.fraction · 2^e; −262143 if x is subnormal or zero.
@@ -24,7 +24,7 @@ pub(super) fn scale_by_power_of_two(x: f256, e: i32) -> f256 {
     if e < 0 { x.div_pow2(e.unsigned_abs()) } else { x.mul_pow2(e.unsigned_abs()) }
 }
 
-/// The first 64 bits of the significand 1.fraction, the last of them set if anything non-zero follows.
+/// The first 64 bits of the significand 1.fraction; the last of them is set if any lower bit is non-zero.
 pub(super) fn leading_bits(x: f256) -> u64 {
     const CUT: u32 = HIGH_FRACTION_BITS - 63;
     let (high, low) = x.to_bits();
@@ -38,7 +38,7 @@ pub(super) fn nearest_f64(significand: u64, exponent: i32) -> f64 {
     if exponent > f64::MAX_EXP - 1 {
         return f64::INFINITY;
     }
-    // An f64 has 53 bits: 11 are to be dropped, and more of them below its smallest normal number.
+    // An f64 has 53 bits: 11 bits are dropped, and more below its smallest normal number.
     let missing = (f64::MIN_EXP - 1 - exponent).max(0).unsigned_abs();
     let drop = 11 + missing;
     if drop > 64 {

@@ -1,4 +1,4 @@
-//! Into and out of [`Octuple`]: `f64`, integers and decimal literals, each rounded at most once.
+//! Conversions of [`Octuple`] from and to `f64`, integers and decimal literals, each rounded at most once.
 
 use super::bits::{exponent, leading_bits, nearest_f64};
 use std::num::ParseFloatError;
@@ -10,8 +10,8 @@ use num_traits::FromPrimitive;
 use super::Octuple;
 
 impl Octuple {
-    /// The nearest `f64`, ties to even: rounded once, subnormals included. Half an ulp or more above the largest
-    /// `f64` lies infinity; signed zeros and NaN stay what they are.
+    /// The nearest `f64`, ties to even, rounded once even if the result is subnormal. Values half an ulp or more above
+    /// the largest `f64` become infinite; signed zeros and NaN are kept.
     #[must_use]
     pub fn to_f64(self) -> f64 {
         let magnitude = match self.0 {
@@ -57,17 +57,17 @@ impl FromStr for Octuple {
     /// # Errors
     /// If `text` is not what `f64` accepts.
     fn from_str(text: &str) -> Result<Self, ParseFloatError> {
-        // f256 also takes "." and "1e+"; the grammar is that of f64.
+        // f256 also accepts "." and "1e+"; the grammar is that of f64.
         text.parse::<f64>()?;
         let value: f256 = text.parse()?;
-        // f256: zero for numbers below 1e-78980 if they are written with more than 70 digits.
+        // f256 returns zero for numbers below 1e-78980 that are written with more than 70 digits.
         let shortened = if value.eq_zero() { shortened_literal(text) } else { None };
         shortened.map_or(Ok(value), |text| text.parse()).map(Self)
     }
 }
 
-/// A literal of 71 digits for one of more: the others are cut off. This may go the wrong way within 10^-70 above halfway between two
-/// numbers, which here have less than 20 bits; halfway itself has tens of thousands of digits.
+/// Cuts a literal of more than 71 digits to 71. This may round wrongly within 10^-70 above the midpoint of two
+/// numbers, which have fewer than 20 bits here; the midpoint itself has tens of thousands of digits.
 fn shortened_literal(text: &str) -> Option<String> {
     const DIGITS: usize = 71;
     let (number, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
@@ -87,7 +87,7 @@ mod tests {
     use super::*;
     use crate::number::octuple::bits::power_of_two;
 
-    /// `to_f64` against hardware: numbers of 53 bits come back bit for bit, whatever they are.
+    /// Compares `to_f64` with the hardware: numbers of 53 bits come back bit for bit.
     fn assert_round_trip(value: f64) {
         let back = Octuple::from(value).to_f64();
         assert!(
@@ -98,10 +98,10 @@ mod tests {
         );
     }
 
-    /// Between `lower` and the next f64 above: the midpoint goes to the even one, its neighbours to the nearer one.
+    /// Between `lower` and the next f64, the midpoint rounds to the even one and its neighbours to the nearer one.
     fn assert_rounds_at_midpoint_above(lower: f64) {
         let upper = lower.next_up();
-        // Halving an exact sum of two f64 is exact, also for subnormals; infinity stands for 2^1024.
+        // Halving an exact sum of two f64 is exact, also for subnormals; 2^1024 replaces infinity.
         let upper_exact = if upper.is_finite() { Octuple::from(upper) } else { Octuple(power_of_two(1024)) };
         let middle = (Octuple::from(lower) + upper_exact) / 2.0;
         let even = if lower.to_bits().is_multiple_of(2) { lower } else { upper };
@@ -121,7 +121,7 @@ mod tests {
             assert_round_trip(magnitude);
             assert_round_trip(-magnitude);
         }
-        // There is one NaN, whatever the sign and the bits of the one it comes from.
+        // There is a single NaN, whatever the sign and bits of the source.
         for nan in [f64::NAN, -f64::NAN, f64::from_bits(0x7ff0_0000_0000_0001)] {
             assert_eq!(Octuple::from(nan).0.to_bits(), f256::NAN.to_bits());
         }
@@ -199,7 +199,7 @@ mod tests {
                 assert_eq!(text.parse::<Octuple>().unwrap(), x, "{}", &text[..40]);
             }
         }
-        // Just below half of the smallest number, and just above.
+        // Just below half of the smallest number, and just above it.
         let half = "1.124003543238518286485093073881325912986804591330501381471744872738546";
         assert_eq!(format!("{half}e-78984").parse::<Octuple>().unwrap(), 0.0);
         assert_eq!(format!("-{half}9999e-78984").parse::<Octuple>().unwrap(), -smallest);

@@ -1,8 +1,9 @@
-//! Octuple in decimal, with as many digits as asked for: the exact value, rounded once, half to even; or with the fewest
-//! that read back as the same number.
+//! Octuple in decimal: with any number of digits, the exact value rounded once, half to even; or with the fewest
+//! digits that read back as the same number.
 //!
-//! f256 panics beyond 75 digits, and for the fewest it brings tables of megabytes. Every finite binary number has a finite decimal
-//! expansion: m · 2^e is whole for e ≥ 0, and for e < 0 it is m · 5^-e with the decimal point −e places to the left.
+//! f256 panics beyond 75 digits, and its shortest output needs tables of megabytes. Every finite binary number has a
+//! finite decimal expansion: m · 2^e is an integer for e ≥ 0, and for e < 0 it is m · 5^-e with the decimal point
+//! moved −e digits to the left.
 
 use std::cmp::Ordering;
 use std::fmt;
@@ -49,7 +50,7 @@ impl Groups {
     }
 }
 
-/// A number of 256 bits, its upper half first, times 2^exponent.
+/// A number significand · 2^exponent; the significand has 256 bits, upper half first.
 struct Binary {
     significand: [u128; 2],
     exponent: i32,
@@ -66,7 +67,7 @@ impl Binary {
         Self { significand: [fraction | leading_one, low], exponent: SMALLEST_EXPONENT + (stored - 1).max(0) }
     }
 
-    /// Between which numbers all others are further away than a neighbour of this one: halfway to each.
+    /// The midpoints to both neighbours: numbers between them are nearer to this one than to any other.
     fn halfway(&self) -> [Self; 2] {
         let [high, low] = self.significand;
         let exponent = self.exponent - 2;
@@ -123,7 +124,7 @@ impl Decimal {
         found.unwrap_or(exact)
     }
 
-    /// The nearest number of this many digits, and the next above it.
+    /// The nearest number with this many digits, and the next one above it.
     fn beside(&self, keep: usize) -> [Self; 2] {
         let mut nearest = self.clone();
         nearest.round(i64::try_from(keep).expect("what is in memory can be counted"));
@@ -139,12 +140,12 @@ impl Decimal {
         self
     }
 
-    /// Which of two is larger, where neither is zero nor has zeros at the end.
+    /// Compares two numbers that are neither zero nor end in zeros.
     fn order(&self, other: &Self) -> Ordering {
         self.point.cmp(&other.point).then_with(|| self.digits.cmp(&other.digits))
     }
 
-    /// So many digits stand behind the point.
+    /// The number of digits after the decimal point.
     fn decimals(&self) -> usize {
         if self.digits.is_empty() {
             return 0;
@@ -153,7 +154,7 @@ impl Decimal {
         usize::try_from(digits - self.point).unwrap_or(0)
     }
 
-    /// Rounded to `keep` digits, which may be none or less: then what is left is 0 or the digit before the first.
+    /// Rounds to `keep` digits, which may be zero or negative: then the result is 0 or the digit before the first.
     fn round(&mut self, keep: i64) {
         let Ok(keep) = usize::try_from(keep) else {
             self.digits.clear();
@@ -171,7 +172,7 @@ impl Decimal {
         }
     }
 
-    /// One more in the last digit.
+    /// Increments the last digit.
     fn increment(&mut self) {
         let nines = self.digits.iter().rev().take_while(|digit| **digit == b'9').count();
         let above = self.digits.len() - nines;
@@ -184,9 +185,9 @@ impl Decimal {
         }
     }
 
-    /// With `decimals` digits behind the point.
+    /// Fixed-point notation with `decimals` digits after the point.
     fn fixed(mut self, decimals: usize) -> String {
-        // More than fit are more than there are.
+        // If the sum exceeds the integer type, it also exceeds the number of digits.
         let decimals_wanted = i64::try_from(decimals).unwrap_or(i64::MAX);
         self.round(self.point.saturating_add(decimals_wanted));
         let zeros = if self.digits.is_empty() {
@@ -199,7 +200,7 @@ impl Decimal {
         if fraction.is_empty() { whole.to_owned() } else { format!("{whole}.{fraction}") }
     }
 
-    /// With one digit before the point and `decimals` digits behind it.
+    /// Scientific notation with one digit before the point and `decimals` digits after it.
     fn scientific(mut self, decimals: usize) -> String {
         if self.digits.is_empty() {
             return self.fixed(decimals) + "e0";
@@ -213,17 +214,17 @@ impl Decimal {
 }
 
 impl Octuple {
-    /// |x| with all its digits to be rounded, or without a precision with the fewest.
+    /// |x| in all its digits, still to be rounded; or in the fewest digits if no precision is given.
     fn decimal(self, precision: Option<usize>) -> Decimal {
         if precision.is_some() { Decimal::exact(self.0) } else { Decimal::shortest(self.0) }
     }
 
-    /// Writes |x| by `text` with the sign, width and fill that `f` asks for.
+    /// Writes `text`, the digits of |x|, with the sign, width and fill that `f` asks for.
     fn pad(self, f: &mut fmt::Formatter<'_>, text: &str) -> fmt::Result {
         f.pad_integral(self.0.is_sign_positive(), "", text)
     }
 
-    /// Writes what is not finite as doubles are.
+    /// Writes infinities and NaN as `f64` does.
     fn special(self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         fmt::Display::fmt(&self.to_f64(), f)
     }
@@ -291,8 +292,8 @@ mod tests {
         assert_eq!(format!("{:.0}", Octuple::MAX).len(), 78_914);
     }
 
-    /// Numbers are twice as far apart above a power of two as below, so that of 72 digits those just above 2⁻¹²⁹ read back, and
-    /// those just below it, which are nearer, do not.
+    /// The spacing of numbers doubles above a power of two. So of the numbers with 72 digits, one just above 2⁻¹²⁹
+    /// reads back, while the nearer one just below it does not.
     #[test]
     fn the_fewest_digits_of_a_power_of_two_may_be_above_it() {
         let power = Octuple(scale_by_power_of_two(f256::ONE, -129));
@@ -312,7 +313,7 @@ mod tests {
     }
 
     proptest! {
-        /// Like f64 prints, for every flag; f64 rounds exact values half to even as well.
+        /// Prints like f64 for every flag; f64 also rounds exact values half to even.
         #[test]
         fn prints_like_f64(x in prop_oneof![-1e3..1e3_f64, any::<f64>(), (-64..64_i32).prop_map(|n| f64::from(n) / 16.0)], decimals in 0..40_usize) {
             prop_assume!(!x.is_nan());
@@ -322,8 +323,8 @@ mod tests {
             assert_eq!(format!("{wide:+60.decimals$}|{wide:<60.2}|{wide:060.3e}"), format!("{x:+60.decimals$}|{x:<60.2}|{x:060.3e}"));
         }
 
-        /// As few as f256 prints, whose tables are left out, but for whole numbers and powers of two, where it takes others; of two
-        /// that are as near it takes the larger.
+        /// As few digits as f256 prints with its tables, which this crate does without. Integers and powers of two are
+        /// excluded, since f256 prints others for them; of two equally near numbers it takes the larger.
         #[test]
         fn the_fewest_digits_are_as_few_as_those_of_f256(exponent in -2000..2000_i32, high: u128, low: u128, zeros in 0..236_u32) {
             let cut = |bits: u128, zeros: u32| if zeros < 128 { bits >> zeros << zeros } else { 0 };
@@ -339,7 +340,7 @@ mod tests {
             }
         }
 
-        /// 72 decimals behind the first digit identify a number of 237 bits; so do the shortest digits.
+        /// 72 decimals after the first digit identify a number of 237 bits; so do the shortest digits.
         #[test]
         fn reads_back(exponent in -2000..2000_i32, high: u128, low: u128) {
             let fraction = f256::from_bits((high & ((1 << 108) - 1) | power_of_two(0).to_bits().0, low));

@@ -1,8 +1,8 @@
 //! The elementary functions of [`Octuple`](super::Octuple) on the `f256` inside.
 //!
-//! `f256` 0.11.3 computes nearly all of them to half an ulp. Where it does not, the comment "f256:" says what is
-//! wrong, and the function mends it; nowhere else but here and in [`super::power`] does a repair hide. For each such
-//! defect a test in `upstream.rs` fails once `f256` has mended it itself, and then the repair can go.
+//! `f256` 0.11.3 computes nearly all of them to half an ulp. Where it does not, the comment "f256:" names the defect,
+//! and the function repairs it; repairs are only here and in [`super::power`]. For each defect a test in `upstream.rs`
+//! fails once `f256` has fixed it, and then the repair can be removed.
 
 use ::f256::consts::{FRAC_3_PI_2, FRAC_PI_2, FRAC_PI_4, PI};
 use f256::f256;
@@ -12,9 +12,9 @@ pub(super) use super::hyperbolic::{acosh, asinh, atanh, cosh, sinh, tanh};
 pub(super) use super::power::{powf, powi};
 pub(super) use super::root::sqrt;
 
-/// Below this, x² vanishes beside 1: sin x, tan x, sinh x and their inverses are x to within 0.1 ulp.
+/// Below this, x² is negligible compared with 1: sin x, tan x, sinh x and their inverses are x to within 0.1 ulp.
 pub(super) const TINY: f256 = power_of_two(-120);
-/// Below this, x vanishes beside 1: exp x − 1 is x to within 0.1 ulp.
+/// Below this, x is negligible compared with 1: exp x − 1 is x to within 0.1 ulp.
 const MINUTE: f256 = power_of_two(-240);
 
 /// π/2 minus [`FRAC_PI_2`], which is 0.45 ulp.
@@ -37,10 +37,10 @@ pub(super) fn cbrt(x: f256) -> f256 {
     x.cbrt()
 }
 
-/// f256: debug assertions and wrong digits where the product or the sum is near the ends of the exponent range.
+/// f256: fails debug assertions and gives wrong digits where the product or the sum is near the ends of the exponent range.
 ///
-/// There the factors are scaled to [1, 2) and the addend alongside, as far as it matters; the result is scaled back,
-/// which rounds a second time if it is subnormal.
+/// There the factors are scaled to [1, 2) and the addend with them, as far as it matters; the result is scaled back, which rounds
+/// a second time if it is subnormal.
 pub(super) fn mul_add(x: f256, y: f256, addend: f256) -> f256 {
     const HARMLESS: i32 = 60_000;
     let operands = [x, y, addend];
@@ -50,16 +50,16 @@ pub(super) fn mul_add(x: f256, y: f256, addend: f256) -> f256 {
     let [(x, ex), (y, ey), (a, ea)] = operands.map(significand);
     let product = ex + ey;
     match ea - product {
-        // The product is less than a quarter ulp of the addend, on whichever side.
+        // The product is less than a quarter ulp of the addend, in either direction.
         500.. => addend,
-        // The addend decides at most which way a tie goes.
+        // The addend at most breaks a tie.
         gap => scale_by_power_of_two(x.mul_add(y, scale_by_power_of_two(a, gap.max(-600))), product),
     }
 }
 
 /// x = m · 2^e with 1 ≤ |m| < 2, for a finite x other than zero.
 pub(super) fn significand(x: f256) -> (f256, i32) {
-    // A subnormal number first becomes a normal one.
+    // A subnormal number is first scaled to a normal one.
     let lift = if x.is_subnormal() { 237 } else { 0 };
     let x = scale_by_power_of_two(x, lift);
     let e = exponent(x);
@@ -117,7 +117,7 @@ pub(super) fn ln_1p(x: f256) -> f256 {
     x.ln_1p()
 }
 
-/// f256: sin −0 is +0, and the 492 bits behind the point run out below 2^-256.
+/// f256: sin −0 is +0, and its 492 bits after the point do not suffice below 2^-256.
 pub(super) fn sin(x: f256) -> f256 {
     if x.abs() < TINY { x } else { x.sin() }
 }
@@ -136,7 +136,7 @@ pub(super) fn sin_cos(x: f256) -> (f256, f256) {
     if x.abs() < TINY { (x, f256::ONE) } else { x.sin_cos() }
 }
 
-/// f256: loses half the digits towards ±1, where √(1 − x²) cancels.
+/// f256: loses half the digits near ±1, where √(1 − x²) cancels.
 pub(super) fn asin(x: f256) -> f256 {
     if x.abs() > f256::from(0.999) {
         return (FRAC_PI_2 - (acos_of_one_minus(f256::ONE - x.abs()) - FRAC_PI_2_TAIL)).copysign(x);
@@ -164,8 +164,8 @@ pub(super) fn atan(x: f256) -> f256 {
     x.atan()
 }
 
-/// f256: π/2 instead of π/4 where |y| = |x|; signs of zeros dropped; any infinity taken for two; few or no digits
-/// of a quotient below 2^-256.
+/// f256: returns π/2 instead of π/4 where |y| = |x|; drops signs of zeros; treats one infinity as two; has few or no
+/// digits for quotients below 2^-256.
 pub(super) fn atan2(y: f256, x: f256) -> f256 {
     let ahead = x.is_sign_positive();
     let (height, width) = (y.abs(), x.abs());

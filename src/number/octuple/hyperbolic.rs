@@ -1,16 +1,16 @@
 //! Hyperbolic functions and their inverses, which `f256` does not have.
 //!
-//! Each is written so that nothing cancels near 0 (through e^x − 1 and ln(1 + x)) and nothing overflows early, and is
-//! within two ulps.
+//! Each is written so that there is no cancellation near 0 (through e^x − 1 and ln(1 + x)) and no premature overflow,
+//! and is accurate to two ulps.
 
 use ::f256::consts::LN_2;
 use f256::f256;
 
 use super::elementary::{TINY, exp, exp_m1, ln, ln_1p};
 
-/// From here on e^-2x vanishes beside 1.
+/// From here on e^-2x is negligible compared with 1.
 const LARGE: u8 = 90;
-/// From here on 1/x² vanishes beside 1.
+/// From here on 1/x² is negligible compared with 1.
 const HUGE: f256 = super::bits::power_of_two(120);
 
 /// sinh x = (m + m/(m+1))/2 with m = e^x − 1.
@@ -40,7 +40,7 @@ pub(super) fn cosh(x: f256) -> f256 {
     half_exp(a)
 }
 
-/// e^x/2, which is still finite for x up to ln 2 beyond where e^x overflows.
+/// e^x/2, which is finite for x up to ln 2 beyond the overflow of e^x.
 fn half_exp(x: f256) -> f256 {
     const E_X_OVERFLOWS: u32 = 181_704;
     if x < f256::from(E_X_OVERFLOWS) {

@@ -1,16 +1,16 @@
-//! Powers with whole and with real exponents.
+//! Powers with integer and with real exponents.
 //!
-//! f256 (0.11.3) fails here in several ways: xⁿ with x < 1 is declared an underflow from |n| · ⌈−log₂ x⌉ > 262380 on
-//! although 0.9^300000 is not that small; `i32::MIN` panics; (−0)^n loses its sign; real exponents panic when they
-//! are tiny, infinite, or whole and beyond 2³¹. So only x^b with |b| < 1 is left to it, and all else is done here:
-//! whole powers in pairs of numbers, exponents kept apart.
+//! f256 (0.11.3) fails here in several ways: xⁿ with x < 1 counts as an underflow from |n| · ⌈−log₂ x⌉ > 262380 on
+//! although 0.9^300000 is not that small; `i32::MIN` panics; (−0)^n loses its sign; real exponents panic when they are
+//! tiny, infinite, or integers beyond 2³¹. So f256 only computes x^b with |b| < 1, and the rest is done here: integer
+//! powers in pairs of numbers with separate exponents.
 
 use f256::f256;
 
 use super::bits::{power_of_two, scale_by_power_of_two};
 use super::elementary::{exp, mul_add, significand};
 
-/// (high + low) · 2^exponent, with 1 ≤ |high| < 2 before, and |low| at most an ulp of high: 470 bits and more.
+/// (high + low) · 2^exponent, with 1 ≤ |high| < 2 on creation and |low| at most an ulp of high: at least 470 bits.
 #[derive(Clone, Copy)]
 struct Pair {
     high: f256,
@@ -36,7 +36,7 @@ impl Pair {
         Self { high: high.div2(), low: low.div2(), exponent: exponent + 1 }
     }
 
-    /// By squaring, from the leading bit of n ≥ 1 downwards: the only factors are exact x and what came before.
+    /// By repeated squaring, from the leading bit of n ≥ 1 downwards: every factor is the exact x or an intermediate result.
     fn power(self, n: u32) -> Self {
         let below_leading = (0..n.ilog2()).rev();
         below_leading.fold(self, |power, bit| {
@@ -60,13 +60,13 @@ impl Pair {
     }
 }
 
-/// a·b rounded, and what rounding cut off; for factors of moderate size.
+/// a·b rounded, and its rounding error; for factors of moderate size.
 fn exact_product(a: f256, b: f256) -> (f256, f256) {
     let product = a * b;
     (product, a.mul_add(b, -product))
 }
 
-/// a+b rounded, and what rounding cut off, for |a| ≥ |b| (Dekker 1971).
+/// a+b rounded, and its rounding error, for |a| ≥ |b| (Dekker 1971).
 fn exact_sum(a: f256, b: f256) -> (f256, f256) {
     let sum = a + b;
     (sum, b - (sum - a))
@@ -139,7 +139,7 @@ fn power_of_positive(a: f256, y: f256) -> f256 {
     if size < f256::from(-262_380) {
         return f256::ZERO;
     }
-    // a^y = a^n · a^b with n whole, |b| < 1, both of the sign of y.
+    // a^y = a^n · a^b with integer n and |b| < 1, both of the sign of y.
     let Ok(n) = i32::try_from(&y.trunc()) else {
         return power_near_one(a, y);
     };
@@ -155,7 +155,7 @@ fn power_of_positive(a: f256, y: f256) -> f256 {
 /// a^y where |y| ≥ 2³¹ and the result is neither 0 nor ∞, so that d = a − 1 is below 2^-13 (and exact).
 ///
 /// a^y = exp(y ln(1+d)), where an error of ln is magnified by up to 2^18 in the result; so ln and its product with y
-/// are sums of two numbers: ln(1+d) = d − d²/2 + (d³/3 − d⁴/4 + …), the bracket 2^-26 of the whole at most.
+/// are sums of two numbers: ln(1+d) = d − d²/2 + (d³/3 − d⁴/4 + …), where the bracket is at most 2^-26 of the whole.
 fn power_near_one(a: f256, y: f256) -> f256 {
     const TERMS: u8 = 22;
     let d = a - f256::ONE;
@@ -180,7 +180,7 @@ mod tests {
         text.parse().unwrap()
     }
 
-    /// Whole powers against plain repeated multiplication where that is exact.
+    /// Integer powers against plain repeated multiplication where that is exact.
     #[test]
     fn small_integers_are_exact() {
         for base in -7..=7_i32 {
@@ -236,7 +236,7 @@ mod tests {
 
     #[test]
     fn huge_exponents_near_one() {
-        // (1 + 2^-40)^(2^40 + 1): whole and beyond i32, against the power as 40 squarings and one factor.
+        // (1 + 2^-40)^(2^40 + 1), an integer exponent beyond i32, against the power as 40 squarings and one factor.
         let base = octuple("1") + Octuple(power_of_two(-40));
         let mut squared = Pair::new(base.0);
         for _ in 0..40 {

@@ -1,13 +1,14 @@
-//! The square root, correctly rounded in a quarter of the time that `f256` takes: it is a fifth of what an audit computes.
+//! The square root, correctly rounded in a quarter of the time that `f256` takes; square roots are a fifth of an
+//! audit's computation.
 
 use super::bits::{exponent, leading_bits, nearest_f64};
 use f256::f256;
 
-/// Doubles have these exponents, with room for what is squared.
+/// The exponents for which doubles suffice, squares included.
 const EXPONENTS: std::ops::Range<i32> = -1000..1000;
 
-/// √x: from the root in `f64` by Newton's method, held to what is left of x; where that is not sure of the last bit, by
-/// `f256`.
+/// √x by Newton's method from the root in `f64`, checked by its residual x − s²; where that does not settle the last
+/// bit, by `f256`.
 pub(super) fn sqrt(x: f256) -> f256 {
     if x.is_sign_negative() || !EXPONENTS.contains(&exponent(x)) {
         return x.sqrt();
@@ -28,8 +29,8 @@ fn left(x: f256, s: f256) -> f256 {
     (-s).mul_add(s, x)
 }
 
-/// Whether s is less than half an ulp from the root: |x − s²| < s ulp(s), for s ± ½ ulp(s) have the squares s² ± s ulp(s) + ¼ ulp(s)²,
-/// and x − s² is a multiple of ulp(s)². Below a power of two the next number is at half the distance.
+/// Whether s is less than half an ulp from the root: |x − s²| < s ulp(s), since s ± ½ ulp(s) have the squares s² ± s ulp(s) + ¼
+/// ulp(s)², and x − s² is a multiple of ulp(s)². Just below a power of two the spacing of numbers is halved.
 fn is_nearest(s: f256, left: f256) -> bool {
     let limit = s * s.ulp();
     if left.is_sign_negative() && is_power_of_two(s) { -left < limit.div2() } else { left.abs() < limit }
@@ -46,8 +47,8 @@ mod tests {
     use rand_chacha::ChaCha8Rng;
     use rand_chacha::rand_core::{Rng, SeedableRng};
 
-    /// As `f256` itself, which needs no start: at random, at squares, beside squares of the middle between two numbers, where
-    /// rounding is hardest, and beside powers of two.
+    /// Compared with `f256`, which needs no starting value: at random numbers, at squares, near squares of midpoints
+    /// between two numbers, where rounding is hardest, and near powers of two.
     #[test]
     fn every_bit_is_that_of_f256() {
         let mut random = ChaCha8Rng::seed_from_u64(1);
@@ -67,8 +68,9 @@ mod tests {
         }
     }
 
-    /// Roots that are as near as 2⁻²³⁴ ulp to the middle between two numbers: those of x = m² + m − j for small j, in units of the last
-    /// place, where (2m + 1)² = 1 + 4j modulo 2²³⁹, found by lifting digit by digit. Newton's method alone cannot tell their side.
+    /// Roots as near as 2⁻²³⁴ ulp to the midpoint between two numbers: those of x = m² + m − j for small j, in units
+    /// of the last place, where (2m + 1)² = 1 + 4j modulo 2²³⁹, found by lifting digit by digit. Newton's method alone
+    /// cannot tell their side.
     #[test]
     fn the_hardest_roots_are_right() {
         let number = |e: i32, (high, low): Fraction| f256::from_bits((power_of_two(e).to_bits().0 | high, low));
@@ -76,14 +78,14 @@ mod tests {
             for twice in [-400, 0, 300] {
                 let x = number(e + 2 * twice, x);
                 assert_eq!(sqrt(x), number(twice, root), "{x:?}");
-                // The check tells them from their neighbours, so that it is not the luck of Newton's method.
+                // The check rejects both neighbours, so the result is not due to luck in Newton's method.
                 let beside = [root.1 - 1, root.1 + 1].map(|low| number(twice, (root.0, low)));
                 assert!(beside.into_iter().all(|s| !is_nearest(s, left(x, s))), "{x:?}");
             }
         }
     }
 
-    /// The root of 1 − 2⁻²³⁷ is nearer to that number itself than to 1, if only just.
+    /// The root of 1 − 2⁻²³⁷ is slightly nearer to that number itself than to 1.
     #[test]
     fn below_a_power_of_two_the_next_number_is_at_half_the_distance() {
         for k in [-6, 0, 7] {
@@ -96,7 +98,7 @@ mod tests {
     /// The bits after the point, the upper ones first.
     type Fraction = (u128, u128);
 
-    /// x = 1.fraction · 2^e by e and the fraction, and the fraction of its root.
+    /// x = 1.fraction · 2^e given by e and the fraction, and the fraction of its root.
     const HARDEST: [(i32, Fraction, Fraction); 9] = [
         (
             0,

@@ -1,7 +1,7 @@
-//! What is wrong with `f256` 0.11.3, as tests that pass while it is wrong.
+//! The defects of `f256` 0.11.3, as tests that pass while they exist.
 //!
-//! When one of them fails after an update, the repair it names can be deleted. What the repaired functions return is
-//! tested elsewhere; nothing here concerns them.
+//! When one of them fails after an update, the repair it names can be deleted. The results of the repaired functions
+//! are tested elsewhere.
 
 use std::panic::{UnwindSafe, catch_unwind};
 
@@ -9,12 +9,13 @@ use f256::f256;
 
 use super::bits::power_of_two;
 
-/// Asserts that `f256` still does the wrong thing.
+/// Asserts that `f256` still has the defect.
 fn still(wrong: bool, defect: &str) {
     assert!(wrong, "mended upstream: {defect}; its repair can go");
 }
 
-/// Panics, or returns something else than `right`. Without debug assertions some of it goes unnoticed: no verdict then.
+/// Whether the call panics or returns something other than `right`. Without debug assertions some defects go
+/// unnoticed, so the result is then always true.
 fn fails<T: PartialEq>(right: &T, call: impl FnOnce() -> T + UnwindSafe) -> bool {
     !cfg!(debug_assertions) || catch_unwind(call).map_or(true, |value| value != *right)
 }

@@ -1,12 +1,12 @@
-//! Columns of the caller, seen as slices.
+//! The caller's columns, as slices.
 //!
-//! A column in one piece is read and written where it is: its rows follow each other, so that the processor fetches the next
-//! while it computes. Of a column with a stride some rows at a time are kept at hand.
+//! A contiguous column is read and written in place, so that the processor prefetches the next rows. A column with a
+//! stride is buffered a few rows at a time.
 
 use ndarray::{ArrayView1, ArrayViewMut1};
 use std::ops::Range;
 
-/// So many rows of a column with a stride are kept at hand.
+/// The number of buffered rows of a column with a stride.
 pub(super) const ROWS: usize = 128;
 
 /// A column of inputs.
@@ -22,7 +22,7 @@ impl<'c> From<ArrayView1<'c, f64>> for Source<'c> {
 }
 
 impl Source<'_> {
-    /// These rows.
+    /// The input values of these rows.
     pub(super) fn rows(&mut self, rows: Range<usize>) -> &[f64] {
         match self {
             Self::Whole(column) => &column[rows],
@@ -51,7 +51,7 @@ impl<'c> From<ArrayViewMut1<'c, f64>> for Target<'c> {
 }
 
 impl Target<'_> {
-    /// Where these rows are written; [`Target::bring`] ends it.
+    /// The buffer for the results of these rows; call [`Target::bring`] when it is filled.
     pub(super) fn rows(&mut self, rows: Range<usize>) -> &mut [f64] {
         match self {
             Self::Whole(column) => &mut column[rows],
@@ -59,7 +59,7 @@ impl Target<'_> {
         }
     }
 
-    /// Brings these rows to where they are wanted.
+    /// Copies these rows from the buffer to their destination.
     pub(super) fn bring(&mut self, rows: Range<usize>) {
         let Self::Kept(column, kept) = self else { return };
         for (row, x) in rows.zip(kept) {

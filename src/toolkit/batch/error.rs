@@ -1,8 +1,8 @@
-//! What can be wrong with a batch.
+//! The errors of a batch.
 
 use std::fmt;
 
-/// Columns that belong together.
+/// A set of columns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Part {
@@ -10,7 +10,7 @@ pub enum Part {
     Inputs,
     /// A column per component of the value.
     Value,
-    /// A column per entry of the Jacobian that is wanted.
+    /// A column per requested entry of the Jacobian.
     Jacobian,
 }
 
@@ -24,7 +24,7 @@ impl fmt::Display for Part {
     }
 }
 
-/// What is wrong with a row.
+/// The error of a row.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RowError {
     /// The row, from 0.
@@ -33,35 +33,35 @@ pub struct RowError {
     pub error: crate::Error,
 }
 
-/// What is wrong with a batch.
+/// An error of a batch.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Error {
-    /// Rows were refused. All others were computed; the results of these are NaN.
+    /// Some rows were rejected. All others were computed; the results of the rejected ones are NaN.
     Rows {
-        /// The first of them.
+        /// The first rejected row.
         first: RowError,
-        /// How many there are.
+        /// The number of rejected rows.
         count: usize,
     },
     /// There are more or fewer columns than the formula has.
     Columns {
-        /// Which.
+        /// The set of columns.
         part: Part,
-        /// How many there are.
+        /// The number of columns given.
         found: usize,
-        /// How many the formula has.
+        /// The number of columns of the formula.
         expected: usize,
     },
-    /// A column has not as many rows as the first one of the inputs.
+    /// A column's length differs from that of the first input column.
     Length {
-        /// Of what it is.
+        /// The set the column belongs to.
         part: Part,
         /// The column, from 0.
         column: usize,
-        /// How many rows it has.
+        /// Its number of rows.
         found: usize,
-        /// How many the first column has.
+        /// The number of rows of the first column.
         expected: usize,
     },
 }
@@ -83,7 +83,7 @@ impl fmt::Display for Error {
 
 impl std::error::Error for Error {}
 
-/// The rows that were refused.
+/// The rows that were rejected.
 #[derive(Debug, Default)]
 pub(super) struct Refused {
     first: Option<RowError>,
@@ -96,7 +96,7 @@ impl Refused {
         self.first.get_or_insert(row);
     }
 
-    /// Those of two tasks: the same whichever ended first.
+    /// The rejected rows of two tasks, independent of which ended first.
     pub(super) fn and(self, other: Self) -> Self {
         let firsts = [self.first, other.first].into_iter().flatten();
         Self { first: firsts.min_by_key(|first| first.row), count: self.count + other.count }
@@ -107,7 +107,7 @@ impl Refused {
     }
 }
 
-/// Rejects another number of columns, or of rows in one of them.
+/// Rejects a wrong number of columns, or of rows in one of them.
 pub(super) fn expect(
     part: Part,
     columns: usize,

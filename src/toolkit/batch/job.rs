@@ -1,4 +1,4 @@
-//! What is computed of a formula: its value, or its Jacobian too.
+//! The requested results of a formula: its value, or its value and Jacobian.
 
 #![expect(clippy::inline_always, reason = "a formula and what is done with its results are compiled as one piece")]
 
@@ -8,22 +8,22 @@ use crate::formula::{Component, Fields, Formula, ValueAndJacobian, Visitor, valu
 use crate::number::scalar::Scalar;
 use std::marker::PhantomData;
 
-/// What is computed of a formula.
+/// The requested results of a formula.
 pub(crate) trait Job<F: Formula> {
-    /// How many numbers that is, without those that are zero everywhere.
+    /// The number of results that are not identically zero.
     const LEN: usize;
     /// Whether several rows are computed together.
     const IS_STRAIGHT: bool;
-    /// Its numbers, zeros and all.
+    /// The results, including zeros.
     type Results<D: Component>;
-    /// Of inputs that are checked.
+    /// The results, with inputs and results checked.
     ///
     /// # Errors
-    /// What is wrong with them, or with the results.
+    /// The first invalid input or result.
     fn of(i: &F::Inputs<f64>) -> Result<Self::Results<f64>, Error>;
-    /// Of inputs that were checked and tell that nothing overflows.
+    /// The results for inputs that were checked and guarantee that nothing overflows.
     fn unchecked<D: Scalar>(i: &F::Inputs<D>) -> Self::Results<D>;
-    /// Shows the numbers in order, without those that are zero everywhere.
+    /// Visits the results in order, except those that are identically zero.
     fn show<D: Component>(results: &Self::Results<D>, visitor: &mut impl Visitor<D>);
 }
 
@@ -53,7 +53,7 @@ pub(crate) struct Linearized;
 
 impl<F: Formula> Job<F> for Linearized {
     const LEN: usize = F::Outputs::<f64>::LEN + structure::entries::<F>();
-    // Dual numbers in vectors would be much code for what nobody asks for at many points.
+    // Vectorised dual numbers would be a lot of code for something rarely needed at many points.
     const IS_STRAIGHT: bool = structure::is_straight::<F>() && F::SPEC.is_closed();
     type Results<D: Component> = ValueAndJacobian<F, D>;
     #[inline(always)]
@@ -71,7 +71,7 @@ impl<F: Formula> Job<F> for Linearized {
     }
 }
 
-/// Shows the entries of gradients.
+/// Visits the entries of gradients.
 struct Gradients<'v, D, V> {
     visitor: &'v mut V,
     of: PhantomData<D>,
@@ -91,7 +91,7 @@ impl<D: Component, I: Fields<D>, V: Visitor<D>> Visitor<I> for Gradients<'_, D, 
     }
 }
 
-/// Shows those entries that are not zero everywhere.
+/// Visits the entries that are not identically zero.
 struct Entries<'v, F, V> {
     visitor: &'v mut V,
     entry: usize,

@@ -8,11 +8,11 @@ use crate::formula::error::Error;
 use crate::formula::{Component, Fields, Formula, Visitor};
 use std::ops::Range;
 
-/// So many rows are made before the first of them is computed: what was just written number by number, a processor cannot read
-/// by pairs without waiting for it.
+/// The number of rows whose inputs are gathered before the first of them is computed: loading a pair of numbers that
+/// were just stored one by one stalls the processor.
 const AHEAD: usize = 16;
 
-/// These rows; `first` is the place of the first of all in the batch.
+/// Computes these rows; `first` is the index of the first of all rows within the batch.
 #[inline(never)]
 pub(super) fn one_by_one<F: Formula, J: Job<F>>(
     inputs: &[&[f64]],
@@ -20,7 +20,7 @@ pub(super) fn one_by_one<F: Formula, J: Job<F>>(
     rows: Range<usize>,
     first: usize,
 ) -> Refused {
-    // How many columns there are is known here, so that none of them is looked up below.
+    // The number of columns is known here, so that there are no bounds checks below.
     let inputs = &inputs[..F::Inputs::<f64>::LEN];
     let columns = &mut outputs[..J::LEN];
     let (mut refused, mut made) = (Refused::default(), Vec::with_capacity(AHEAD));
@@ -38,7 +38,7 @@ pub(super) fn one_by_one<F: Formula, J: Job<F>>(
     refused
 }
 
-/// What has these components.
+/// The struct with these components.
 #[inline(always)]
 pub(crate) fn of_components<I: Fields<D>, D: Component + From<f64>>(component: impl Fn(usize) -> f64) -> I {
     let mut next = 0;
@@ -48,7 +48,7 @@ pub(crate) fn of_components<I: Fields<D>, D: Component + From<f64>>(component: i
     })
 }
 
-/// Writes the numbers of a row, each into the next column.
+/// Writes the numbers of a row, one per column.
 pub(crate) struct Row<'b, 'c> {
     columns: &'b mut [&'c mut [f64]],
     at: usize,
@@ -70,7 +70,7 @@ impl Visitor<f64> for Row<'_, '_> {
     }
 }
 
-/// Of a row that is refused every number is NaN.
+/// Sets every number of a rejected row to NaN.
 #[cold]
 #[inline(never)]
 fn refuse(columns: &mut [&mut [f64]], row: usize, first: usize, error: Error, refused: &mut Refused) {

@@ -1,12 +1,12 @@
 //! Rows of a formula of simple operations and comparisons, several at a time.
 //!
-//! A comparison chooses between numbers that are computed anyway, and no row waits for one that is extreme ([`Ordinary`]), so that
-//! the compiler takes as many at once as the vectors of a processor hold: four on one with AVX2, and eight on one with AVX-512,
-//! which the feature `batch-avx512` adds. What it gives has the bits of one row alone.
+//! Comparisons select between numbers that are both computed, and no row branches for extreme numbers ([`Ordinary`]),
+//! so that the compiler vectorises over rows: four with AVX2, and eight with AVX-512, which the feature `batch-avx512`
+//! adds. The results have the same bits as for a single row.
 //!
-//! Half of the time of a simple formula is that of its columns. Rows that are computed together are whole lines of the cache, in
-//! columns and in between; the next lines of the results, and where no cache holds the columns those of the inputs, are asked for
-//! while these are computed.
+//! Half of the time of a simple formula goes into its columns. Rows that are computed together fill whole cache lines,
+//! in columns and in buffers. While they are computed, the next lines of the results are prefetched, and those of the
+//! inputs if the columns exceed the cache.
 
 #![expect(clippy::inline_always, reason = "what is not inlined is not compiled for vectors")]
 
@@ -20,18 +20,18 @@ use crate::number::prefetch::{LINE, prefetch};
 use std::marker::PhantomData;
 use std::ops::{Deref, Range};
 
-/// Rows that are computed together: two lines of the cache in every column. It is always as many, so that the compiler makes no
-/// second loop for what is left over.
+/// The number of rows computed together: two cache lines in every column. It is constant, so that the compiler needs
+/// no second loop for a remainder.
 const TOGETHER: usize = 16;
-/// Of more columns than these, longer pieces are asked for, and less often: memory is faster so.
+/// With more columns than this, longer pieces are prefetched less often, which makes better use of the memory.
 const MANY: usize = 32;
 
-/// What these rows have in one column. It begins with a line of the cache: vectors that lie in two take twice as long.
+/// The values of these rows in one column, aligned to a cache line: vectors that straddle two lines take twice as long.
 #[derive(Clone)]
 #[repr(align(64))]
 struct Column([f64; TOGETHER]);
 
-/// As [`one_by_one`]; what is far is asked for before it is needed.
+/// Like [`one_by_one`], but with prefetching if the columns exceed the cache.
 pub(super) fn rows<F: Formula, J: Job<F>>(
     inputs: &[&[f64]],
     outputs: &mut [&mut [f64]],
@@ -40,7 +40,8 @@ pub(super) fn rows<F: Formula, J: Job<F>>(
     is_far: bool,
 ) -> Refused {
     let stretch = Stretch::<F, J> { inputs, outputs, rows, first, is_far, job: PhantomData };
-    // One more copy of all formulas, for processors of this kind without vectors of four doubles, would be as large as this one.
+    // x86-64 processors without vectors of four doubles fall back to one row at a time: a copy of all formulas for
+    // them would be as large as this one.
     #[cfg(all(target_arch = "x86_64", feature = "batch-avx512"))]
     if let Some(vectors) = pulp::x86::V4::try_new() {
         return pulp::Simd::vectorize(vectors, stretch);
@@ -74,13 +75,13 @@ impl<F: Formula, J: Job<F>> pulp::WithSimd for Stretch<'_, '_, '_, F, J> {
             return one_by_one::<F, J>(inputs, outputs, rows, first);
         }
         let times = if inputs.len() + outputs.len() > MANY { 2 } else { 1 };
-        // One table of inputs and results: of two, the compiler does not know for more than 250 numbers that they are not the same,
-        // and would take the rows one by one.
+        // One table of inputs and results: with two tables of more than 250 columns, the compiler fails to prove that
+        // they do not overlap and would not vectorise.
         let mut columns = vec![Column([0.0; TOGETHER]); F::Inputs::<f64>::LEN + J::LEN];
         let before = outputs.first().map_or(0, |column| column[rows.start..].as_ptr().align_offset(LINE));
         let mut refused = Refused::default();
         for (k, some) in together(rows.clone(), before).enumerate() {
-            // Rows before the first line of the cache, and what is left over, are computed with their neighbours.
+            // Incomplete groups, before the first cache line and at the end, are computed together with their neighbours.
             let from = some.start.min(rows.end - TOGETHER);
             if is_far && k.is_multiple_of(times) {
                 ask_for(inputs, from + 2 * TOGETHER, times * TOGETHER);
@@ -97,26 +98,26 @@ impl<F: Formula, J: Job<F>> pulp::WithSimd for Stretch<'_, '_, '_, F, J> {
     }
 }
 
-/// Rows that are computed together: first those before a line of the cache begins, of which there are as many, if any.
+/// Groups of rows that are computed together: first the `before` rows ahead of a cache line, if any, then full groups.
 fn together(rows: Range<usize>, before: usize) -> impl Iterator<Item = Range<usize>> {
     let start = rows.end.min(rows.start.saturating_add(before));
     let some = (start..rows.end).step_by(TOGETHER).map(move |from| from..rows.end.min(from + TOGETHER));
     std::iter::once(rows.start..start).filter(|first| !first.is_empty()).chain(some)
 }
 
-/// Has so many rows brought to the cache.
+/// Prefetches `count` rows of all columns.
 #[inline(never)]
 fn ask_for(columns: &[impl Deref<Target = [f64]>], from: usize, count: usize) {
     columns.iter().filter_map(|column| column.get(from..from + count)).for_each(bring);
 }
 
-/// Has rows of a column brought to the cache.
+/// Prefetches rows of a column.
 #[inline(always)]
 fn bring(rows: &[f64]) {
     rows.iter().step_by(LINE / size_of::<f64>()).for_each(prefetch);
 }
 
-/// Takes as many rows from here as are computed together.
+/// Copies a group of rows from the inputs.
 #[inline(always)]
 fn take(from: &[&[f64]], row: usize, to: &mut [Column]) {
     for (column, Column(here)) in from.iter().zip(to) {
@@ -124,7 +125,7 @@ fn take(from: &[&[f64]], row: usize, to: &mut [Column]) {
     }
 }
 
-/// Gives them to the results, and asks for the next.
+/// Copies a group of rows to the results, and prefetches the next.
 #[inline(always)]
 fn give(from: &[Column], row: usize, to: &mut [&mut [f64]]) {
     for (Column(here), column) in from.iter().zip(to) {
@@ -136,13 +137,13 @@ fn give(from: &[Column], row: usize, to: &mut [&mut [f64]]) {
     }
 }
 
-/// Computes all rows, of which the inputs come first, and tells whether that could be done; else some may be refused, and all are to be looked at.
+/// Computes all rows, whose inputs come first, and returns whether all are valid; if not, the caller computes them one by one.
 #[inline(always)]
 fn compute<F: Formula, J: Job<F>>(columns: &mut [Column]) -> bool {
-    // How many columns there are is known here, so that none of them is looked up below.
+    // The number of columns is known here, so that there are no bounds checks below.
     let columns = &mut columns[..F::Inputs::<f64>::LEN + J::LEN];
-    // Bits, which vectors keep at the width of the numbers: zero as long as every row is as it should be. What a formula checks
-    // itself may take branches, which would keep the compiler from vectors in one pass with all else.
+    // Bits of the width of the numbers, for vectorisation: zero if every row is valid. A formula's own `validate` may
+    // branch, which would prevent vectorisation of a common loop.
     let mut bits = 0;
     for row in 0..TOGETHER {
         bits |= u64::from(F::validate(&of_components::<F::Inputs<Ordinary>, _>(|k| columns[k].0[row])).is_err());
@@ -159,12 +160,12 @@ fn compute<F: Formula, J: Job<F>>(columns: &mut [Column]) -> bool {
     bits == 0
 }
 
-/// Writes the numbers of a row, each into the next column.
+/// Writes the numbers of a row, one per column.
 struct Place<'l> {
     columns: &'l mut [Column],
     row: usize,
     next: usize,
-    /// Zero as long as all numbers are finite.
+    /// Zero if all numbers are finite.
     bits: u64,
 }
 

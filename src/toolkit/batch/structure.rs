@@ -1,9 +1,9 @@
-//! Which entries of a Jacobian are zero everywhere, and of which formulas several rows are computed together.
+//! Which entries of a Jacobian are identically zero, and which formulas are computed for several rows together.
 //!
-//! `structure.txt` has a line for every formula of the catalog: its identifier, and a bit for each entry, output by output over
-//! all inputs, four in a hexadecimal digit, the first the lowest; `-` where the Jacobian is automatic, and every entry counts. A formula of simple operations and comparisons has `straight` after
-//! it, or `guarded` where an extreme number makes a result NaN. The file is written by a test, `tests/graph.rs`, from what is recorded
-//! of the formulas, and read by the compiler.
+//! `structure.txt` has a line for every formula of the catalog: its identifier and a bit for each entry, output by output over
+//! all inputs, four per hexadecimal digit, lowest bit first; `-` if the Jacobian is automatic, so that every entry counts. For a
+//! formula of simple operations and comparisons `straight` follows, or `guarded` if extreme numbers make a result NaN. The file
+//! is written by the test `tests/graph.rs` from the recorded formulas, and read at compile time.
 
 #![expect(clippy::inline_always, reason = "which entries are zero is known where a formula is compiled")]
 
@@ -11,7 +11,7 @@ use crate::formula::{Fields, Finite, Formula};
 
 const TABLE: &[u8] = include_bytes!("structure.txt");
 
-/// What stands behind the identifier of this formula; of one that is not in the table, every entry counts.
+/// The text after the identifier of this formula; `None` if it is not in the table, in which case every entry counts.
 const fn line<F: Formula>() -> Option<&'static [u8]> {
     let (mut rest, id) = (TABLE, F::SPEC.id.as_bytes());
     while !rest.is_empty() {
@@ -35,12 +35,13 @@ const fn digits<F: Formula>() -> Option<&'static [u8]> {
     }
 }
 
-/// Whether several rows of a formula are computed together: inputs tell that nothing overflows, or all results are looked at.
+/// Whether several rows of a formula are computed together: either the inputs guarantee that nothing overflows, or all
+/// results are checked.
 pub(super) const fn is_straight<F: Formula>() -> bool {
     is_guarded::<F>() || has_word::<F>(b"straight") && !matches!(F::SPEC.finite, Finite::Unknown)
 }
 
-/// Whether several rows of a formula are computed together, and all results looked at: where one is extreme, one of them is NaN.
+/// Whether several rows of a formula are computed together with all results checked: extreme numbers make one of them NaN.
 pub(super) const fn is_guarded<F: Formula>() -> bool {
     has_word::<F>(b"guarded")
 }
@@ -52,7 +53,7 @@ const fn has_word<F: Formula>(word: &[u8]) -> bool {
     }
 }
 
-/// What stands before and after the first of these bytes; all of it before, if there is none.
+/// The bytes before and after the first occurrence of `byte`; all of them before if there is none.
 const fn cut(text: &[u8], byte: u8) -> (&[u8], &[u8]) {
     let mut length = 0;
     while length < text.len() {
@@ -74,12 +75,12 @@ const fn are_equal(x: &[u8], y: &[u8]) -> bool {
     equal
 }
 
-/// How many entries there are, zeros and all.
+/// The number of entries, including zeros.
 const fn all<F: Formula>() -> usize {
     F::Outputs::<f64>::LEN * F::Inputs::<f64>::LEN
 }
 
-/// Whether an entry is not zero everywhere; they are counted output by output over all inputs.
+/// Whether an entry is not identically zero; entries are counted output by output over all inputs.
 #[inline(always)]
 pub(super) const fn is_entry<F: Formula>(k: usize) -> bool {
     if const { entries::<F>() == all::<F>() } {
@@ -89,7 +90,7 @@ pub(super) const fn is_entry<F: Formula>(k: usize) -> bool {
     if k / 64 < WORDS { first[k / 64] >> (k % 64) & 1 == 1 } else { is_digit::<F>(k) }
 }
 
-/// So many entries, 64 to each, are looked up in one step where the compiler does not know which it is.
+/// The number of words of 64 entries that are looked up in one step where the index is not known at compile time.
 const WORDS: usize = 16;
 
 /// A bit for each of the first entries.
@@ -102,7 +103,7 @@ const fn first_bits<F: Formula>() -> [u64; WORDS] {
     bits
 }
 
-/// Whether an entry is not zero everywhere, as the table says.
+/// Whether an entry is not identically zero, according to the table.
 const fn is_digit<F: Formula>(k: usize) -> bool {
     match const { digits::<F>() } {
         Some(digits) => k / 4 < digits.len() && value_of(digits[k / 4]) >> (k % 4) & 1 == 1,
@@ -117,12 +118,12 @@ const fn value_of(digit: u8) -> u8 {
     }
 }
 
-/// The entries that are not zero everywhere.
+/// The entries that are not identically zero.
 pub(super) fn places<F: Formula>() -> impl Iterator<Item = usize> {
     (0..all::<F>()).filter(|&k| is_entry::<F>(k))
 }
 
-/// How many entries are not zero everywhere.
+/// The number of entries that are not identically zero.
 pub(super) const fn entries<F: Formula>() -> usize {
     let (mut k, mut count) = (0, 0);
     while k < all::<F>() {

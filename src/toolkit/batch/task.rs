@@ -8,23 +8,24 @@ use super::straight;
 use crate::formula::Formula;
 use ndarray::{ArrayView1, ArrayViewMut1, Axis};
 
-/// Computes rows of these inputs, of which the first has this place in the batch, into columns as long, which may be far. It is a
-/// pointer, so that what divides rows among threads is compiled once: for each formula it would be a tenth of the Python package.
+/// Computes rows of these inputs, the first of which has this index in the batch, into columns of the same length; the
+/// flag tells whether they exceed the cache. It is a function pointer, so that the distribution among threads is
+/// compiled only once: one copy per formula would be a tenth of the Python package.
 type Compute = fn(&[&[f64]], &mut [&mut [f64]], usize, bool) -> Refused;
 
-/// Some rows of a batch: their columns of inputs, and those of the results that are not zero everywhere.
+/// Some rows of a batch: their input columns, and their columns of results that are not identically zero.
 pub(super) struct Task<'c> {
-    /// The place of the first row in the batch.
+    /// The index of the first row in the batch.
     pub(super) first: usize,
     pub(super) rows: usize,
-    /// Whether the batch is larger than what is at hand in a cache.
+    /// Whether the batch is larger than a cache.
     pub(super) is_far: bool,
     pub(super) inputs: Vec<ArrayView1<'c, f64>>,
     pub(super) outputs: Vec<ArrayViewMut1<'c, f64>>,
 }
 
 impl Task<'_> {
-    /// Computes all rows, and tells which of them are refused; more rows than a share are divided among the threads.
+    /// Computes all rows and returns which are rejected; more rows than `share` are divided among the threads.
     pub(super) fn run(self, rows: Compute, share: usize) -> Refused {
         if self.rows <= share {
             return self.compute(rows);
@@ -45,7 +46,7 @@ impl Task<'_> {
         [Self { first: self.first, rows: middle, is_far, inputs, outputs }, other]
     }
 
-    /// Computes the rows, some at a time where columns are kept at hand.
+    /// Computes the rows, a few at a time if columns are buffered.
     fn compute(self, rows: Compute) -> Refused {
         let mut inputs: Vec<_> = self.inputs.into_iter().map(Source::from).collect();
         let mut outputs: Vec<_> = self.outputs.into_iter().map(Target::from).collect();
@@ -66,7 +67,7 @@ impl Task<'_> {
     }
 }
 
-/// What computes the rows of a formula.
+/// The function that computes the rows of a formula.
 pub(super) fn rows<F: Formula, J: Job<F>>(
     inputs: &[&[f64]],
     outputs: &mut [&mut [f64]],

@@ -1,4 +1,4 @@
-//! What prose claims in mathematics, beside the equation of an entry.
+//! Mathematical claims in prose, outside the equation of an entry.
 
 use super::error::Error;
 use super::lower::{Beside, Place, Writer};
@@ -12,10 +12,10 @@ use crate::formula::{Field, Spec};
 use crate::number::octuple::Octuple;
 use crate::toolkit::graph::{Graph, Node, Op};
 
-/// A formula as prose speaks of it: its symbols, and what its equation defines.
+/// A formula as prose refers to it: its symbols, and the definitions in its equation.
 #[derive(Clone, Copy, Debug)]
 pub struct Signature {
-    /// What is said about it.
+    /// Its specification.
     pub spec: Spec,
     /// Its inputs.
     pub inputs: &'static [Field],
@@ -23,28 +23,29 @@ pub struct Signature {
     pub outputs: &'static [Field],
 }
 
-/// What mathematics in prose is about.
+/// The context of mathematics in prose.
 #[derive(Clone, Debug, Default)]
 pub struct Setting {
-    /// The formula whose symbols these are; an output is what the code gives.
+    /// The formula whose symbols these are; its outputs are computed by the code.
     pub of: Option<Signature>,
-    /// Symbols of other entries, with commas between them, and where they are from.
+    /// Symbols of other entries, separated by commas, and the entries they come from.
     pub from: Vec<(String, Spec)>,
     /// Definitions that the prose gives in words.
     pub definitions: String,
-    /// Under which conditions it holds, with commas between them.
+    /// The conditions under which it holds, separated by commas.
     pub condition: String,
-    /// Symbols that may be any number or vector, with commas between them.
+    /// Symbols that stand for arbitrary numbers or vectors, separated by commas.
     pub free: String,
-    /// Whether only inputs and outputs of the formula are known, and not what its equation defines.
+    /// Whether only inputs and outputs of the formula are known, and not the other definitions of its equation.
     pub is_closed: bool,
-    /// Whether what the equation refers to by way of other entries is known, too, where these agree on it.
+    /// Whether symbols that the equation takes from other entries, directly or indirectly, are known too if the
+    /// entries agree on them.
     pub is_deep: bool,
-    /// Whether triads are made orthonormal first: the claims hold for those only.
+    /// Whether triads are made orthonormal first, because the claims hold only for those.
     pub triads: bool,
-    /// Earlier displays, whose definitions count here too.
+    /// Earlier displays, whose definitions apply here too.
     pub above: Vec<String>,
-    /// What is put in for inputs of the formula: `L_a = 20,\ R_p = 1`.
+    /// Values substituted for inputs of the formula: `L_a = 20,\ R_p = 1`.
     pub put: String,
 }
 
@@ -54,7 +55,7 @@ pub struct Claims {
     graph: Graph,
     all: Vec<Claimed>,
     condition: Option<Node>,
-    /// Components of inputs, and what is put in for them.
+    /// Components of inputs and the nodes substituted for them.
     put: Vec<(usize, Node)>,
     inputs: usize,
     outputs: usize,
@@ -62,7 +63,7 @@ pub struct Claims {
     pub(crate) triads: bool,
 }
 
-/// A number that may be any.
+/// An arbitrary number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Free {
     /// Of either sign: a component of a vector, a change.
@@ -71,16 +72,16 @@ pub(crate) enum Free {
     Positive,
 }
 
-/// Two sides and how they relate.
+/// Two sides and their relation.
 #[derive(Clone, Debug)]
 struct Claimed {
     left: Node,
     right: Node,
-    /// Whether both are claimed to be equal.
+    /// Whether the claim is an equality.
     is_equality: bool,
-    /// The answer whether it is as claimed.
+    /// The truth value of the claim.
     holds: Node,
-    /// Both sides as they are written.
+    /// The two sides as written.
     text: String,
 }
 
@@ -95,7 +96,7 @@ impl Claimed {
 pub(crate) struct ClaimAt<'c> {
     pub(crate) left: Octuple,
     pub(crate) right: Octuple,
-    /// Whether it is claimed that both are equal; else `holds` says whether it is as claimed.
+    /// Whether the claim is an equality; otherwise `holds` is its truth value.
     pub(crate) is_equality: bool,
     pub(crate) holds: bool,
     pub(crate) text: &'c str,
@@ -103,20 +104,20 @@ pub(crate) struct ClaimAt<'c> {
 }
 
 impl Claims {
-    /// Reads what is claimed. What defines a new symbol claims nothing.
+    /// Reads the claims. A statement that defines a new symbol is no claim.
     ///
     /// # Errors
-    /// Where it cannot be read, or claims nothing.
+    /// If it cannot be read, or claims nothing.
     pub fn read(latex: &str, setting: &Setting) -> Result<Self, Error> {
         let claims = Self::compiled(latex, setting)?;
         let is_empty = claims.all.is_empty();
         if is_empty { Err(Error::new(0, "nothing is claimed: all of it defines new symbols")) } else { Ok(claims) }
     }
 
-    /// Reads an expression, to ask what number it is.
+    /// Reads an expression, to be evaluated at points.
     ///
     /// # Errors
-    /// Where it cannot be read.
+    /// If it cannot be read.
     pub fn expression(latex: &str, setting: &Setting) -> Result<Self, Error> {
         Self::compiled(&format!("0 = {latex}"), setting)
     }
@@ -136,7 +137,7 @@ impl Claims {
             for statement in chains(text, functions().chain(declared).collect())? {
                 let is_defined = |name: &Name| all.iter().any(|statement| statement.names.contains(name));
                 let is_given = |name: &Name| known.has(name) || given.iter().any(|taken| taken.name == *name);
-                // Of a field, what is written is compared with its change.
+                // A written variation of a field is compared with the field's change rather than taken as a definition.
                 let is_change = |name: &Name| match name.unchanged() {
                     Some(of) => !name.is_variation() || known.has(&of),
                     None => !name.change.is_empty(),
@@ -153,12 +154,12 @@ impl Claims {
         known.claims(&entries, &claimed, setting, latex)
     }
 
-    /// How many numbers may be any, and which.
+    /// The arbitrary numbers.
     pub(crate) fn free(&self) -> &[Free] {
         &self.free
     }
 
-    /// The inputs of the formula, with what is put in.
+    /// The inputs of the formula after substitution.
     pub(crate) fn inputs(&self, inputs: &[Octuple], free: &[Octuple]) -> Vec<Octuple> {
         if self.put.is_empty() {
             return inputs.to_vec();
@@ -171,7 +172,7 @@ impl Claims {
         inputs
     }
 
-    /// All that the claims are made from.
+    /// All numbers from which the claims are computed.
     pub(crate) fn point(&self, inputs: &[Octuple], code: Option<[&[Octuple]; 2]>, free: &[Octuple]) -> Vec<Octuple> {
         let nothing = vec![Octuple::NAN; self.outputs * (self.inputs + 1)];
         let [values, jacobian] = code.unwrap_or_else(|| [&nothing[..self.outputs], &nothing[self.outputs..]]);
@@ -198,7 +199,7 @@ impl Claims {
         at.collect()
     }
 
-    /// All numbers, at a point.
+    /// The values of all nodes at a point.
     fn results(&self, point: &[Octuple]) -> Vec<Octuple> {
         let holds = self.all.iter().map(|claim| claim.holds);
         let put = self.put.iter().map(|&(_, node)| node);
@@ -206,7 +207,7 @@ impl Claims {
         self.graph.results(point, self.graph.needed(&results))
     }
 
-    /// How large the terms are from which both sides of a claim are summed; `sizes` are those of the point itself.
+    /// The sizes of the terms from which both sides of a claim are summed; `sizes` are those of the point itself.
     pub(crate) fn terms(&self, claim: &ClaimAt<'_>, point: &[Octuple], sizes: &[Octuple]) -> Octuple {
         let [left, right] = claim.sides.map(|side| rounding::terms(&self.graph, side, point, sizes));
         left + right
@@ -224,7 +225,7 @@ struct Known {
     inputs: Vec<(Name, Field)>,
     outputs: Vec<(Name, Field)>,
     free: Vec<Name>,
-    /// The changes of what changes.
+    /// The changes of the symbols that vary.
     changing: Vec<Name>,
 }
 
@@ -245,7 +246,7 @@ impl Known {
         fields.chain(&self.free).any(|known| known == name || name.component().is_some_and(|(of, _)| of == *known))
     }
 
-    /// What the equation of the formula defines, and what it or the setting takes from elsewhere.
+    /// The symbols that the formula's equation defines, and those that it or the setting takes from elsewhere.
     fn given(&self, setting: &Setting, entries: &mut Entries) -> Result<Vec<Taken>, Error> {
         let mut given: Vec<Taken> = Vec::new();
         for (listed, spec) in &setting.from {
@@ -278,7 +279,7 @@ impl Known {
         Ok(given)
     }
 
-    /// Where a change is written, all inputs change, and what may be any number and has `\mathrm{d}` before it.
+    /// If a change is written, all inputs change, and so do arbitrary numbers that appear with `\mathrm{d}`.
     fn let_change<'s>(&mut self, statements: impl Iterator<Item = &'s Statement>) {
         let mut names = Vec::new();
         statements.flat_map(Statement::expressions).for_each(|e| collect_changes(e, &mut names));
@@ -293,7 +294,7 @@ impl Known {
             changing.map(|name| if is_variation { name.varied() } else { Name { change: "d", ..name } }).collect();
     }
 
-    /// Writes the operations.
+    /// Writes the operations of all claims.
     fn claims(
         &self,
         entries: &Entries,
@@ -345,7 +346,7 @@ impl Known {
         for statement in claimed {
             all.extend(sides(&mut writer, statement, latex)?);
         }
-        // Definitions that nothing refers to may have two forms, too.
+        // Definitions that nothing refers to may also have two forms.
         for statement in &entries.0[0].statements {
             let name = &statement.names[0];
             let is_whole = statement.parameters.iter().all(|p| writer.symbol(p, statement.at, Place::ROOT).is_ok());
@@ -390,7 +391,7 @@ fn collect_changes(e: &Expr, names: &mut Vec<Name>) {
     e.parts().into_iter().for_each(|part| collect_changes(part, names));
 }
 
-/// The chain as a definition, if its first side is new: a symbol, a function of symbols, or some in brackets.
+/// The chain as a definition, if its first side is new: a symbol, a function of symbols, or a tuple of symbols.
 fn definition(statement: &Statement, is_known: impl Fn(&Name) -> bool) -> Option<Statement> {
     let Body::Chain(first, rest) = &statement.body else { return None };
     let symbol = |e: &Expr| match &e.kind {
@@ -410,7 +411,7 @@ fn definition(statement: &Statement, is_known: impl Fn(&Name) -> bool) -> Option
     is_equal.then_some(Statement { names, parameters, body: Body::Equal(sides), at: statement.at })
 }
 
-/// Both sides of every relation, number by number.
+/// Both sides of every relation, component by component.
 fn sides(writer: &mut Writer<'_>, statement: &Statement, latex: &str) -> Result<Vec<Claimed>, Error> {
     let Body::Chain(first, rest) = &statement.body else { return Ok(Vec::new()) };
     let end = |k: usize| rest.get(k + 1).map_or(latex.len(), |(_, next)| next.at);
@@ -442,7 +443,7 @@ fn sides(writer: &mut Writer<'_>, statement: &Statement, latex: &str) -> Result<
     Ok(all)
 }
 
-/// 1 where all conditions hold.
+/// A node that is 1 if all conditions hold.
 fn condition(writer: &mut Writer<'_>, latex: &str) -> Result<Option<Node>, Error> {
     let mut all = None;
     for statement in chains(latex, Vec::new()).map_err(|error| error.of_entry("words", "condition"))? {
@@ -453,7 +454,7 @@ fn condition(writer: &mut Writer<'_>, latex: &str) -> Result<Option<Node>, Error
     Ok(all)
 }
 
-/// Components of inputs, and what is put in for them.
+/// Components of inputs and the nodes substituted for them.
 fn put(writer: &mut Writer<'_>, inputs: &[(Name, Field)], setting: &Setting) -> Result<Vec<(usize, Node)>, Error> {
     let mut all = Vec::new();
     for statement in statements(&setting.put, Vec::new()).map_err(|error| error.of_entry("words", "input"))? {

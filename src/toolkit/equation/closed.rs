@@ -1,13 +1,13 @@
-//! An equation closed over its inputs: what it takes from other entries is written with it, and what is used once is
-//! put in where it is used.
+//! An equation closed over its inputs: definitions from other entries are included, and symbols used once are
+//! substituted.
 
 use super::latex;
 use super::name::Name;
 use super::scope::Entries;
 use super::syntax::{Body, Condition, Expr, Kind, Statement};
 
-/// The statements of the equation and of what it takes from elsewhere, each symbol defined once; nothing where two
-/// entries call different things by the same symbol.
+/// The statements of the equation and of those it refers to, each symbol defined once; `None` if two entries use one
+/// symbol for different things.
 pub(super) fn flat(entries: &Entries) -> Option<Vec<Statement>> {
     let mut all = Flat { entries, found: Vec::new() };
     for place in 0..entries.0[0].statements.len() {
@@ -27,7 +27,7 @@ pub(super) fn flat(entries: &Entries) -> Option<Vec<Statement>> {
     Some(all.found.iter().map(statement).collect())
 }
 
-/// With the k-th item of each case in the place of the k-th item of cases.
+/// Replaces the k-th item of cases by cases of k-th items.
 fn items(e: &Expr) -> Expr {
     e.replaced(&|e| match &e.kind {
         Kind::Item(tuple, k) => item(tuple, *k),
@@ -47,14 +47,14 @@ fn item(tuple: &Expr, k: usize) -> Option<Expr> {
     }
 }
 
-/// A statement that is needed.
+/// A statement that is used.
 struct Found {
     entry: usize,
     place: usize,
     parameters: Vec<Name>,
 }
 
-/// A path is where a symbol is looked up: from its end, an entry and then those that refer to it.
+/// Collects statements. A path is where a symbol is looked up: its last entry, then the entries that refer to it.
 struct Flat<'e> {
     entries: &'e Entries,
     found: Vec<Found>,
@@ -75,7 +75,7 @@ impl Flat<'_> {
         let parameters = if statement.parameters.is_empty() { given } else { statement.parameters.clone() };
         self.found.push(Found { entry, place, parameters: parameters.clone() });
         let mut names = Vec::new();
-        // Of other entries the first form is enough.
+        // For other entries the first form is sufficient.
         let sides = if entry == 0 { usize::MAX } else { 1 };
         let is_chain = matches!(statement.body, Body::ArgMin(_));
         let needed = statement.expressions().into_iter().take(if is_chain { usize::MAX } else { sides });
@@ -86,7 +86,7 @@ impl Flat<'_> {
         Some(())
     }
 
-    /// Adds the definition that a symbol has, if it has one.
+    /// Adds the definition of a symbol, if it has one.
     fn resolve(&mut self, path: &[usize], name: &Name) -> Option<()> {
         let Some((&entry, referring)) = path.split_last() else { return Some(()) };
         let here = &self.entries.0[entry];
@@ -104,8 +104,8 @@ impl Flat<'_> {
     }
 }
 
-/// The symbols that an expression refers to: those of vectors whose components are written, and those that are the
-/// number of an axis.
+/// The symbols that an expression refers to, including vectors whose components are written, and symbols that select a
+/// component.
 pub(super) fn symbols(e: &Expr, names: &mut Vec<Name>) {
     match &e.kind {
         Kind::Symbol(name) => {
@@ -126,7 +126,7 @@ pub(super) fn symbols(e: &Expr, names: &mut Vec<Name>) {
     e.parts().into_iter().for_each(|part| symbols(part, names));
 }
 
-/// The statements with each symbol put in that is used once, but for outputs.
+/// Substitutes every symbol that is used once, except outputs.
 pub(super) fn put_in(mut statements: Vec<Statement>, is_output: impl Fn(&Name) -> bool) -> Vec<Statement> {
     while let Some(k) = (0..statements.len()).find(|&k| is_used_once(&statements, k, &is_output)) {
         let definition = statements.remove(k);
@@ -164,7 +164,7 @@ fn is_used_once(statements: &[Statement], k: usize, is_output: impl Fn(&Name) ->
     whole == 1 && uses.iter().filter(|used| *used == name).count() == 1
 }
 
-/// How often a symbol stands in an expression.
+/// The number of occurrences of a symbol in an expression.
 fn count(e: &Expr, name: &Name) -> usize {
     let here = matches!(&e.kind, Kind::Symbol(symbol) if symbol == name);
     usize::from(here) + e.parts().into_iter().map(|part| count(part, name)).sum::<usize>()

@@ -1,14 +1,14 @@
-//! A place among the tokens of an equation.
+//! A position among the tokens of an equation.
 
 use super::error::Error;
 use super::name::Name;
 use super::token::{Kind as Word, Token};
 
-/// Reads from the tokens of one equation.
+/// Parses the tokens of one equation.
 pub(super) struct Parser<'a> {
     pub(super) tokens: Vec<Token<'a>>,
     pub(super) next: usize,
-    /// Names that are functions where a bracket follows.
+    /// Names that are functions if a bracket follows.
     pub(super) functions: Vec<Name>,
 }
 
@@ -27,7 +27,7 @@ impl<'a> Parser<'a> {
         self.peek().kind == Word::Sign(sign)
     }
 
-    /// Takes a token if it is this one.
+    /// Consumes the next token if it is this one, and returns whether it was.
     pub(super) fn took(&mut self, kind: Word<'_>) -> bool {
         let is_so = self.peek().kind == kind;
         self.next += usize::from(is_so);
@@ -42,12 +42,12 @@ impl<'a> Parser<'a> {
         if self.took_sign(sign) { Ok(()) } else { Err(self.expected(&format!("`{sign}`"))) }
     }
 
-    /// What was expected here.
+    /// An error that `what` was expected here.
     pub(super) fn expected(&self, what: &str) -> Error {
         Error::new(self.peek().at, format!("{what} was expected here"))
     }
 
-    /// Letters and digits in braces.
+    /// Parses letters and digits in braces.
     pub(super) fn word(&mut self) -> Result<String, Error> {
         self.expect('{')?;
         let mut word = String::new();
@@ -59,7 +59,7 @@ impl<'a> Parser<'a> {
         Ok(word)
     }
 
-    /// The digits here as a number, and ten to their count.
+    /// Parses digits as a number, and returns ten to the power of their count too.
     pub(super) fn digits(&mut self) -> (f64, f64) {
         let (mut value, mut scale) = (0.0, 1.0);
         while let Word::Digit(digit) = self.peek().kind {
@@ -70,7 +70,7 @@ impl<'a> Parser<'a> {
         (value, scale)
     }
 
-    /// A number that counts.
+    /// Parses a natural number.
     pub(super) fn integer(&mut self) -> Result<usize, Error> {
         if !matches!(self.peek().kind, Word::Digit(_)) {
             return Err(self.expected("a whole number"));

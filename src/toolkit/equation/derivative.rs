@@ -1,4 +1,4 @@
-//! Derivatives as prose writes them: `\frac{\partial F_C}{\partial f_2}`, and `\mathrm{d}F_C` of what changes.
+//! Derivatives as written in prose: `\frac{\partial F_C}{\partial f_2}`, and `\mathrm{d}F_C` for everything that varies.
 
 use super::error::Error;
 use super::lower::{Place, Writer};
@@ -8,8 +8,8 @@ use super::value::Value;
 use crate::toolkit::graph::{Node, Op};
 
 impl Writer<'_> {
-    /// A partial derivative: of an output of the code by an input, an entry of the Jacobian of the code; of anything
-    /// else, what follows from its equation, with all other symbols held.
+    /// A partial derivative. For an output of the code with respect to an input, it is an entry of the code's
+    /// Jacobian; for anything else, it follows from the equation, with all other symbols held fixed.
     pub(super) fn partial(&mut self, of: &Expr, by: &Name, at: usize, place: Place<'_>) -> Result<Value, Error> {
         let (of, by) = (self.expression(of, place)?, self.symbol(by, at, place)?);
         match (of, by) {
@@ -34,7 +34,7 @@ impl Writer<'_> {
         self.graph.derivative(of, by)
     }
 
-    /// `\mathrm{d}x` or `\delta x` of something that is defined and changes with what changes.
+    /// `\mathrm{d}x` or `\delta x` of something that is defined and varies.
     pub(super) fn change(&mut self, name: &Name, at: usize, place: Place<'_>) -> Result<Option<Value>, Error> {
         let Some(of) = name.unchanged() else { return Ok(None) };
         if let Some(value) = self.defined(&of, at, place)? {
@@ -48,7 +48,7 @@ impl Writer<'_> {
         Ok(None)
     }
 
-    /// The same of a component.
+    /// The same for a component.
     pub(super) fn change_of_component(
         &mut self,
         name: &Name,
@@ -62,7 +62,7 @@ impl Writer<'_> {
         self.component(&changes, index, at, place).map(Some)
     }
 
-    /// The change of a number with all that changes: directly, and by the outputs of the code in it.
+    /// The total change of a number, directly and through the outputs of the code it contains.
     fn total(&mut self, of: Node) -> Node {
         let mut sum = self.graph.number(0.0);
         for (by, change) in self.beside.changes.clone() {

@@ -1,4 +1,4 @@
-//! What is wrong with an equation.
+//! Errors in an equation.
 
 use std::fmt;
 
@@ -15,17 +15,17 @@ impl Error {
         Self { at, what: what.into(), entry: None }
     }
 
-    /// With the entry and the part of it, unless it is known already.
+    /// Adds the entry and the part of it, unless they are known already.
     pub(super) fn of_entry(self, id: &str, part: &'static str) -> Self {
         Self { entry: self.entry.or_else(|| Some((id.into(), part))), ..self }
     }
 
-    /// In the symbol of a field.
+    /// Adds that the error is in the symbol of a field.
     pub(super) fn of_symbol(self, latex: &str) -> Self {
         Self { what: format!("the symbol `{latex}`: {}", self.what), ..self }
     }
 
-    /// The byte of the LaTeX at which it was found.
+    /// The byte offset in the LaTeX at which it was found.
     pub fn at(&self) -> usize {
         self.at
     }

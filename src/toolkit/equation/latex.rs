@@ -1,4 +1,4 @@
-//! Expressions written as LaTeX, so that they read back as what they were.
+//! Expressions written as LaTeX that parses back to the same expressions.
 
 use super::name::Name;
 use super::symbol::LETTERS;
@@ -49,7 +49,7 @@ pub(super) fn name(name: &Name) -> String {
         word => format!(r"\mathrm{{{word}}}"),
     };
     let below = name.below.iter().map(piece).fold(String::new(), |all, next| {
-        // A letter would else belong to the command before it.
+        // A letter would otherwise become part of the command before it.
         let is_command = all.rfind('\\').is_some_and(|at| all[at + 1..].chars().all(|c| c.is_ascii_alphabetic()));
         if is_command { all + &spaced(&next) } else { all + &next }
     });
@@ -63,7 +63,7 @@ pub(super) fn name(name: &Name) -> String {
     format!("{changes}{base}{}{below}{above}", "'".repeat(name.primes))
 }
 
-/// A sum, or anything.
+/// Writes a sum or any other expression.
 fn sum(e: &Expr) -> String {
     match &e.kind {
         Kind::Binary(Operator::Add, a, b) => match &b.kind {
@@ -76,7 +76,7 @@ fn sum(e: &Expr) -> String {
     }
 }
 
-/// A product, with a sign before it, or less.
+/// Writes a signed product or a simpler expression.
 fn term(e: &Expr) -> String {
     match &e.kind {
         Kind::Negative(inside) => format!("-{}", term(inside)),
@@ -91,7 +91,7 @@ fn term(e: &Expr) -> String {
 fn product(operator: Operator, a: &Expr, b: &Expr) -> String {
     let is_product = |e: &Expr, of: &[Operator]| matches!(&e.kind, Kind::Binary(operator, ..) if of.contains(operator));
     if operator == Operator::Times {
-        // Numbers come first; a bracket not behind a symbol, which could be taken for a function of it.
+        // Numbers come first; a bracket does not follow a symbol, where it could be read as a function argument.
         let (a, b) = match (&a.kind, &b.kind) {
             (Kind::Number(_), _) => (a, b),
             (_, Kind::Number(_)) => (b, a),
@@ -117,12 +117,12 @@ fn is_bracketed(e: &Expr) -> bool {
     text.starts_with('(') || text.starts_with(r"\left(")
 }
 
-/// A space where a letter would else belong to the command before it.
+/// Adds a space where a letter would otherwise become part of the command before it.
 fn spaced(text: &str) -> String {
     if text.starts_with(|c: char| c.is_ascii_alphabetic()) { format!(" {text}") } else { text.to_owned() }
 }
 
-/// What can stand in a product.
+/// Writes a factor of a product.
 fn factor(e: &Expr) -> String {
     match &e.kind {
         Kind::Power(base, exponent) => {
@@ -146,7 +146,7 @@ fn bracket(e: &Expr) -> String {
     if is_low(e) { format!("({inside})") } else { format!(r"\left({inside}\right)") }
 }
 
-/// Whether an expression has no fraction, root or case in it, so that plain brackets are high enough.
+/// Whether an expression contains no fraction, root or cases, so that plain brackets are tall enough.
 fn is_low(e: &Expr) -> bool {
     let is_high = matches!(&e.kind, Kind::Binary(Operator::Divide, ..) | Kind::Cases(_) | Kind::Sum { .. });
     !is_high && e.parts().into_iter().all(is_low)
@@ -256,7 +256,7 @@ mod tests {
         }
         for (read, written) in [
             (r"a = b + (c - d)", "a = b + c - d"),
-            // A bracket behind a symbol could be taken for a function of it.
+            // A bracket after a symbol could be read as a function argument.
             (r"a = b\,(c + d)", r"a = b\cdot (c + d)"),
             (r"\mathbf{a} = \mathbf{b}\,(c + d)", r"\mathbf{a} = (c + d)\,\mathbf{b}"),
             (r"a = (b)", "a = b"),

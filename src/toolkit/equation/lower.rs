@@ -1,4 +1,4 @@
-//! Symbols get their meaning, vectors fall apart into components, and the list of operations is written.
+//! Resolves symbols, splits vectors into components, and writes the list of operations.
 
 use super::error::Error;
 use super::name::Name;
@@ -10,13 +10,13 @@ use crate::number::scalar::{self, Leaf};
 use crate::toolkit::graph::{Binary, Graph, Node, Op, Search, Unary};
 use std::collections::BTreeSet;
 
-/// Where a symbol is looked up: among the parameters, in an entry, and then where that entry is referred to.
+/// The scope in which a symbol is looked up: the parameters, an entry, and then the scope from which that entry is referred to.
 #[derive(Clone, Copy)]
 pub(super) struct Place<'p> {
     pub(super) entry: usize,
     pub(super) bound: &'p [(Name, Value)],
     pub(super) parent: Option<&'p Place<'p>>,
-    /// References inside references.
+    /// The depth of nested references.
     depth: usize,
 }
 
@@ -25,7 +25,7 @@ impl Place<'_> {
     pub(super) const ROOT: Self = Self { entry: 0, bound: &[], parent: None, depth: 0 };
 }
 
-/// So many references inside references are a circle.
+/// Deeper nesting of references counts as a cycle.
 const DEEP: usize = 40;
 
 /// Numbers that do not follow from the inputs by an equation.
@@ -33,7 +33,7 @@ const DEEP: usize = 40;
 pub(super) struct Beside {
     /// The outputs of the code, each with its row of the Jacobian of the code.
     pub(super) outputs: Vec<(Node, Vec<Node>)>,
-    /// Numbers that change, and their changes.
+    /// Numbers that vary, and their changes.
     pub(super) changes: Vec<(Node, Node)>,
 }
 
@@ -43,15 +43,15 @@ pub(super) struct Writer<'e> {
     pub(super) entries: &'e Entries,
     /// Symbols of the inputs.
     pub(super) inputs: Vec<(Name, Value)>,
-    /// Where the place is put in that the equation defines as the smallest of something.
+    /// The index of the input that holds the minimiser defined by the equation.
     pub(super) solution: usize,
-    /// Statements of the equation itself that were needed.
+    /// Whether each statement of the equation itself was used.
     pub(super) used: Vec<bool>,
-    /// Symbols taken from other entries that were needed.
+    /// Whether each symbol taken from another entry was used.
     pub(super) taken: Vec<bool>,
     /// Forms printed as equal in the equation itself.
     pub(super) equal: BTreeSet<(Node, Node)>,
-    /// What is known besides, to prose.
+    /// Additional numbers known to prose.
     pub(super) beside: Beside,
 }
 
@@ -79,14 +79,14 @@ impl<'e> Writer<'e> {
         }
     }
 
-    /// Whether the equation itself says what a symbol is, or where it comes from.
+    /// Whether the equation itself defines a symbol or says where it comes from.
     pub(super) fn defines(&self, name: &Name) -> bool {
         let own = &self.entries.0[0];
         own.statements.iter().any(|statement| statement.names[0] == *name)
             || own.given.iter().any(|taken| taken.name == *name)
     }
 
-    /// The meaning of a symbol.
+    /// The value of a symbol.
     pub(super) fn symbol(&mut self, name: &Name, at: usize, place: Place<'_>) -> Result<Value, Error> {
         if let Some(value) = self.defined(name, at, place)? {
             return Ok(value);
@@ -105,7 +105,7 @@ impl<'e> Writer<'e> {
         constant(name, &mut self.graph).ok_or_else(|| Error::new(at, format!("{name} is nobody's symbol")))
     }
 
-    /// A component by a number, or by a symbol that is one.
+    /// A component with a numeric index, or with a symbol as index.
     pub(super) fn component(&mut self, of: &[Node], index: &str, at: usize, place: Place<'_>) -> Result<Value, Error> {
         if let Ok(k) = index.parse::<usize>() {
             let component = k.checked_sub(1).and_then(|k| of.get(k));
@@ -125,7 +125,7 @@ impl<'e> Writer<'e> {
         Ok(Value::Scalar(chosen))
     }
 
-    /// The meaning of a symbol that somebody defines.
+    /// The value of a symbol that has a definition.
     pub(super) fn defined(&mut self, name: &Name, at: usize, place: Place<'_>) -> Result<Option<Value>, Error> {
         if place.depth > DEEP {
             return Err(Error::new(at, format!("{name} is defined by itself")));
@@ -134,7 +134,7 @@ impl<'e> Writer<'e> {
             return Ok(Some(value.clone()));
         }
         if let Some((statement, parameters)) = self.statement(name, place) {
-            // Without a bracket behind it a function means: of the symbols of its parameters.
+            // A function without arguments is taken at the symbols of its parameters.
             let bound = parameters
                 .iter()
                 .map(|p| Ok((p.clone(), self.symbol(p, at, place)?)))
@@ -154,7 +154,7 @@ impl<'e> Writer<'e> {
         }
     }
 
-    /// The statement of the entry that defines this.
+    /// The statement of the entry that defines this symbol.
     fn statement(&mut self, name: &Name, place: Place<'_>) -> Option<(&'e Statement, &'e [Name])> {
         let entries: &'e Entries = self.entries;
         let entry = &entries.0[place.entry];
@@ -165,7 +165,7 @@ impl<'e> Writer<'e> {
         Some((&entry.statements[found], &entry.statements[found].parameters))
     }
 
-    /// The other entry that defines this.
+    /// The other entry that defines this symbol.
     fn taken(&mut self, name: &Name, place: Place<'_>) -> Option<(usize, usize)> {
         let entry = &self.entries.0[place.entry];
         let found = entry.given.iter().position(|taken| taken.name == *name)?;
@@ -197,7 +197,7 @@ impl<'e> Writer<'e> {
         value.ok_or_else(|| Error::new(statement.at, "nothing is on the other side"))
     }
 
-    /// Two forms of the same: of the equation itself, both are compared.
+    /// Records two forms of the same quantity for comparison, if the equation itself has them.
     fn note_equal(&mut self, first: &Value, next: &Value, at: usize, place: &Place<'_>) -> Result<(), Error> {
         let pairs: Vec<_> = match (first, next) {
             (Value::Scalar(a), Value::Scalar(b)) => vec![(*a, *b)],
@@ -212,7 +212,7 @@ impl<'e> Writer<'e> {
         Ok(())
     }
 
-    /// A declared function of arguments.
+    /// A declared function applied to arguments.
     fn apply(&mut self, name: &Name, arguments: &[Expr], at: usize, place: Place<'_>) -> Result<Value, Error> {
         let values = arguments.iter().map(|e| self.expression(e, place)).collect::<Result<Vec<_>, _>>()?;
         let bind = |parameters: &[Name]| -> Result<Vec<(Name, Value)>, Error> {
@@ -295,7 +295,7 @@ impl<'e> Writer<'e> {
         }
     }
 
-    /// Whole powers, and the exponential function as a power of e.
+    /// Integer powers, and the exponential function as a power of e.
     fn power(&mut self, base: &Expr, exponent: &Expr, place: Place<'_>) -> Result<Value, Error> {
         if let Kind::Number(value) = exponent.kind {
             let whole = (2..=9).find(|&k| small(k) == value);
@@ -310,7 +310,7 @@ impl<'e> Writer<'e> {
         Ok(Value::Scalar(self.graph.unary(Unary::Exponential, exponent)))
     }
 
-    /// A square root; of a sum of squares it is a length, which has a derivative at 0 as lengths have.
+    /// A square root; that of a sum of squares is a length, which has a derivative at 0.
     fn root(&mut self, inside: &Expr, place: Place<'_>) -> Result<Value, Error> {
         let radicand = self.number(inside, place)?;
         Ok(Value::Scalar(match squares(&self.graph, radicand) {
@@ -326,7 +326,7 @@ impl<'e> Writer<'e> {
             values.push((self.expression(value, place)?, self.condition(condition, place)?));
         }
         let (last, condition) = values.pop().ok_or_else(|| Error::new(at, "there are no cases"))?;
-        // Where no case holds there is no value.
+        // If no case holds, there is no value.
         let nothing = self.graph.number(f64::NAN);
         let last = match condition {
             None => last,
@@ -347,7 +347,7 @@ impl<'e> Writer<'e> {
         })
     }
 
-    /// 1 where all comparisons hold; nothing for "otherwise".
+    /// A node that is 1 if all comparisons hold; `None` for "otherwise".
     fn condition(&mut self, condition: &Condition, place: Place<'_>) -> Result<Option<Node>, Error> {
         let mut all = None;
         for (left, relation, right) in condition {
@@ -371,7 +371,7 @@ impl<'e> Writer<'e> {
     }
 }
 
-/// A function, but for the root, of which much depends on what it is of.
+/// Any function except the root, which depends on its argument.
 fn call(graph: &mut Graph, function: Function, of: &[Node]) -> Node {
     let first = of[0];
     match function {
@@ -382,7 +382,7 @@ fn call(graph: &mut Graph, function: Function, of: &[Node]) -> Node {
         Function::Sign => graph.sign(first),
         Function::Round => graph.enter(Op::Search(Search::of::<WholeNumber, 1>(), of.into())),
         Function::Atan2 => {
-            // Zeros of mathematics have no sign.
+            // Mathematical zeros have no sign.
             let zero = graph.number(0.0);
             let unsigned = graph.enter(Op::Binary(Binary::Add, first, zero));
             graph.enter(Op::Binary(Binary::Angle, unsigned, of[1]))
@@ -390,7 +390,7 @@ fn call(graph: &mut Graph, function: Function, of: &[Node]) -> Node {
     }
 }
 
-/// The nearest whole number.
+/// The nearest integer.
 struct WholeNumber;
 
 impl scalar::Search<1> for WholeNumber {

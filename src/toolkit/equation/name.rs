@@ -1,25 +1,25 @@
-//! Symbols, in whatever way their LaTeX is arranged.
+//! Symbols, independent of the arrangement of their LaTeX.
 
 use std::fmt;
 
-/// A symbol with all that belongs to it: `\mathrm{d}\mathbf{t}_1`, `F_C^{\mathrm{int}}`, `\mathbf{X}'`.
+/// A symbol with all its decorations: `\mathrm{d}\mathbf{t}_1`, `F_C^{\mathrm{int}}`, `\mathbf{X}'`.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Name {
-    /// `d`, `Δ` or `δ` where this is a change of something, else empty; `δd` and `δΔ` are variations of changes.
+    /// `d`, `Δ` or `δ` for a change, else empty; `δd` and `δΔ` are variations of changes.
     pub(super) change: &'static str,
-    /// A vector is bold.
+    /// Whether it is bold, as vectors are.
     pub(super) bold: bool,
     /// The letter, or the letters of an `\mathit`.
     pub(super) base: String,
     /// The pieces of the subscript: `\mathrm{axial}k` has two.
     pub(super) below: Vec<String>,
-    /// A superscript that is a word or a sign, and hence no power.
+    /// A superscript that is a word or a sign rather than a power.
     pub(super) above: String,
     pub(super) primes: usize,
 }
 
 impl Name {
-    /// A letter by itself.
+    /// A plain letter.
     pub(super) fn letter(base: impl Into<String>) -> Self {
         Self { base: base.into(), ..Self::default() }
     }
@@ -29,7 +29,7 @@ impl Name {
         self.base == letter && !self.bold && self.below.is_empty() && self.above.is_empty() && self.change.is_empty()
     }
 
-    /// What this is the variation or the differential of.
+    /// The symbol of which this is the variation or the differential.
     pub(super) fn unchanged(&self) -> Option<Self> {
         let change = match self.change {
             "δ" | "d" => "",
@@ -45,7 +45,7 @@ impl Name {
         self.change.starts_with('δ')
     }
 
-    /// The variation of this.
+    /// The variation of this symbol.
     pub(super) fn varied(&self) -> Self {
         let change = match self.change {
             "d" => "δd",
@@ -60,7 +60,7 @@ impl Name {
         self.below.concat()
     }
 
-    /// The vector that this would be a component of, and which one: `x_{m,k}` of **x**_m.
+    /// The vector of which this symbol would be a component, and the index: `x_{m,k}` of **x**_m.
     pub(super) fn component(&self) -> Option<(Self, &str)> {
         let (last, rest) = self.below.split_last()?;
         let rest = match rest.split_last() {
@@ -82,13 +82,13 @@ impl Name {
         self.below.iter().any(|piece| piece == index)
     }
 
-    /// With a number in place of an index.
+    /// The symbol with an index replaced by a number.
     pub(super) fn with_index(&self, index: &str, value: usize) -> Self {
         let put = |piece: &String| if piece == index { value.to_string() } else { piece.clone() };
         Self { below: self.below.iter().map(put).collect(), ..self.clone() }
     }
 
-    /// Whether this is a declared function, up to the index of a family of them.
+    /// Whether this is a declared function, apart from the index in a family of functions.
     pub(super) fn is_like(&self, declared: &Self) -> bool {
         let head = |name: &Self| (name.change, name.bold, name.base.clone(), name.above.clone(), name.primes);
         head(self) == head(declared) && self.below.len() == declared.below.len()

@@ -1,4 +1,4 @@
-//! Expressions.
+//! The parser of expressions.
 
 use super::cursor::Parser;
 use super::error::Error;
@@ -7,7 +7,7 @@ use super::syntax::{Condition, Expr, Function, Kind, Operator, Relation};
 use super::token::{Kind as Word, Token};
 
 impl Parser<'_> {
-    /// Sums of terms.
+    /// Parses sums of terms.
     pub(super) fn expression(&mut self) -> Result<Expr, Error> {
         let mut sum = self.term()?;
         loop {
@@ -22,7 +22,7 @@ impl Parser<'_> {
         }
     }
 
-    /// Products and quotients, from left to right. A sign stands before all of it.
+    /// Parses products and quotients, from left to right. A sign applies to all of the term.
     fn term(&mut self) -> Result<Expr, Error> {
         let at = self.peek().at;
         if self.took_sign('-') {
@@ -63,7 +63,7 @@ impl Parser<'_> {
         }
     }
 
-    /// Something with powers.
+    /// Parses a factor with its powers.
     fn factor(&mut self) -> Result<Expr, Error> {
         let mut factor = self.base()?;
         while self.sees('^') {
@@ -74,7 +74,7 @@ impl Parser<'_> {
         Ok(factor)
     }
 
-    /// What a command takes: a group, or a single letter or digit.
+    /// Parses the argument of a command: a group, or a single letter or digit.
     fn argument(&mut self) -> Result<Expr, Error> {
         let Token { kind, at } = self.peek();
         match kind {
@@ -112,7 +112,7 @@ impl Parser<'_> {
         Ok(Expr { kind, at })
     }
 
-    /// A symbol, or a declared function of arguments.
+    /// Parses a symbol, or a declared function with arguments.
     fn symbol(&mut self) -> Result<Kind, Error> {
         let Some(name) = self.name()? else { return Err(self.expected("a number, a symbol or a bracket")) };
         if !self.sees('(') || !self.functions.iter().any(|declared| name.is_like(declared)) {
@@ -122,7 +122,7 @@ impl Parser<'_> {
         Ok(Kind::Apply(name, self.list(')')?))
     }
 
-    /// Expressions with commas between them, and the bracket that closes.
+    /// Parses expressions separated by commas, and the closing bracket.
     fn list(&mut self, close: char) -> Result<Vec<Expr>, Error> {
         let mut all = vec![self.expression()?];
         while self.took_sign(',') {
@@ -138,7 +138,7 @@ impl Parser<'_> {
         Ok(if all.len() == 1 { all.swap_remove(0).kind } else { Kind::Tuple(all) })
     }
 
-    /// Digits side by side, and decimals.
+    /// Parses adjacent digits, and decimals.
     fn number(&mut self) -> Result<Kind, Error> {
         let whole = self.digits();
         if !self.took_sign('.') {
@@ -153,7 +153,7 @@ impl Parser<'_> {
         Ok(Kind::Binary(Operator::Divide, number(whole.0 * scale + decimals), number(scale)))
     }
 
-    /// What a command begins; nothing where it begins a symbol.
+    /// Parses what a command begins; `None` if it begins a symbol.
     fn command(&mut self, command: &str, at: usize) -> Result<Option<Kind>, Error> {
         let start = self.next;
         self.next += 1;
@@ -187,7 +187,7 @@ impl Parser<'_> {
         }
     }
 
-    /// `{\partial a}{\partial x}`, behind the command of a fraction.
+    /// Parses `{\partial a}{\partial x}` after the command of a fraction.
     fn partial(&mut self) -> Result<Option<Kind>, Error> {
         let start = self.next;
         if !(self.took_sign('{') && self.took(Word::Command("partial"))) {
@@ -216,7 +216,7 @@ impl Parser<'_> {
         })
     }
 
-    /// What a function without brackets takes: a symbol, or what is in brackets.
+    /// Parses the argument of a function without brackets: a symbol, or an expression in brackets.
     fn single_argument(&mut self) -> Result<Expr, Error> {
         match self.peek().kind {
             Word::Digit(_) => Err(self.expected("a bracket around the argument")),
@@ -234,7 +234,7 @@ impl Parser<'_> {
         Ok(Kind::Cases(vec![(a, is_first), (b, Vec::new())]))
     }
 
-    /// `\operatorname{…}` and its arguments.
+    /// Parses `\operatorname{…}` and its arguments.
     fn operator(&mut self) -> Result<Kind, Error> {
         let at = self.peek().at;
         let name = self.word()?;
@@ -309,7 +309,7 @@ impl Parser<'_> {
         Some(relation)
     }
 
-    /// `\sum_{q=1}^{5}` and the product after it.
+    /// Parses `\sum_{q=1}^{5}` and the product after it.
     fn sum(&mut self) -> Result<Kind, Error> {
         self.expect('_')?;
         self.expect('{')?;

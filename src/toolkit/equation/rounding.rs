@@ -1,12 +1,12 @@
-//! What rounding can do to an equation that is evaluated as it stands.
+//! Bounds of the rounding errors of an equation evaluated as written.
 
 use crate::number::octuple::Octuple;
 use crate::toolkit::graph::{Binary, Graph, Node, Op, Unary};
 use num_traits::{Signed, Zero};
 
-/// By how many roundings a number may be off: its own, and those of its operands as they reach it.
+/// The error of a node in units of the rounding error: its own rounding, and the errors of its operands propagated to it.
 ///
-/// An input is off by as much as `given` says, or not at all.
+/// An input has the error in `given`, or none.
 pub(super) fn terms(graph: &Graph, of: Node, inputs: &[Octuple], given: &[Octuple]) -> Octuple {
     let needed = graph.needed(&[of]);
     let all = graph.results(inputs, needed.iter().copied());
@@ -16,7 +16,7 @@ pub(super) fn terms(graph: &Graph, of: Node, inputs: &[Octuple], given: &[Octupl
             Op::Input(k) => given.get(*k).copied().unwrap_or_else(Octuple::zero),
             op => carried(op, all[node.index()], &all, &sizes),
         };
-        // Where a derivative is infinite, so may be the error; then nothing is said.
+        // An infinite derivative may mean an infinite error; it is then ignored.
         sizes[node.index()] = if size.is_finite() { size } else { Octuple::zero() };
     }
     sizes[of.index()]
@@ -26,18 +26,18 @@ fn carried(op: &Op, result: Octuple, all: &[Octuple], sizes: &[Octuple]) -> Octu
     let own = if is_exact(op, all) { Octuple::zero() } else { result.abs() };
     match op {
         Op::Select(condition, a, b) => sizes[if all[condition.index()] == 1.0 { a.index() } else { b.index() }],
-        // By no more than that, also where it is 0 and has no derivative.
+        // At most the sum of the errors of its components, also at 0, where it has no derivative.
         Op::Norm(parts) => parts.iter().fold(own, |sum, part| sum + sizes[part.index()]),
         op => {
             let operands = op.operands().into_iter().zip(op.derivatives(result, all));
-            // 0 where there is nothing to carry, even over an infinite slope.
+            // An operand without error contributes 0, even over an infinite slope.
             let off = operands.filter(|(operand, _)| !sizes[operand.index()].is_zero());
             off.fold(own, |sum, (operand, by)| sum + sizes[operand.index()] * by.abs())
         }
     }
 }
 
-/// Whether nothing is rounded.
+/// Whether the operation rounds nothing.
 fn is_exact(op: &Op, all: &[Octuple]) -> bool {
     match op {
         Op::Number(_) | Op::Compare(..) | Op::Search(..) | Op::Unary(Unary::Negative | Unary::Absolute, _) => true,
@@ -51,7 +51,7 @@ mod tests {
     use super::*;
     use crate::toolkit::graph::Relation;
 
-    /// a is 4 and off by 2 roundings, b is 3 and by 5; c is 0.6 and by 7.
+    /// a is 4 with an error of 2, b is 3 with an error of 5, and c is 0.6 with an error of 7.
     #[test]
     fn roundings_reach_what_follows() {
         let mut graph = Graph::default();

@@ -1,4 +1,4 @@
-//! Which definitions an equation's symbols can mean: its own, and those it takes from others by "where".
+//! The definitions that the symbols of an equation can refer to: its own, and those taken from others by "where".
 
 use super::error::Error;
 use super::name::Name;
@@ -6,7 +6,7 @@ use super::statement::{statements, symbols};
 use super::syntax::{ArgMin, Body, Statement};
 use crate::formula::{Given, Spec};
 
-/// An equation and where the symbols come from that it does not define.
+/// An equation, and the sources of the symbols that it does not define.
 #[derive(Clone, Debug)]
 pub(super) struct Entry {
     /// The formula's identifier.
@@ -20,7 +20,7 @@ pub(super) struct Entry {
 pub(super) struct Taken {
     pub(super) name: Name,
     pub(super) parameters: Vec<Name>,
-    /// The place of that equation in the list of entries.
+    /// The index of that equation in the list of entries.
     pub(super) from: usize,
 }
 
@@ -29,7 +29,7 @@ pub(super) struct Taken {
 pub(super) struct Entries(pub(super) Vec<Entry>);
 
 impl Entries {
-    /// Reads an equation and all those that it refers to.
+    /// Reads an equation and all those it refers to.
     pub(super) fn read(id: &'static str, latex: &str, given: &[Given]) -> Result<Self, Error> {
         let mut all = Self::default();
         all.add(id, latex, given)?;
@@ -59,7 +59,7 @@ impl Entries {
         self.add(spec.id, spec.latex, spec.given)
     }
 
-    /// That nothing is said twice, and that what is taken is there.
+    /// Checks that nothing is defined twice, and that every symbol taken from elsewhere is defined there.
     fn check(&self, place: usize) -> Result<(), Error> {
         let entry = &self.0[place];
         for (k, statement) in entry.statements.iter().enumerate() {
@@ -82,7 +82,7 @@ impl Entries {
         Ok(())
     }
 
-    /// What the equation itself says of a symbol, if that is the place of something smallest.
+    /// The definition of a symbol in the equation itself, if it is a minimiser.
     pub(super) fn arg_min(&self, name: &Name) -> Option<&ArgMin> {
         let mut statements = self.0.iter().take(1).flat_map(|entry| &entry.statements);
         let found = statements.find(|statement| statement.names[0] == *name)?;

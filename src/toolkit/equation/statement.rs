@@ -6,12 +6,12 @@ use super::name::Name;
 use super::syntax::{ArgMin, Body, Expr, Kind, Statement};
 use super::token::{Kind as Word, Token, tokens};
 
-/// The definitions of an equation, families of them written out.
+/// The definitions of an equation, with families expanded.
 pub(super) fn statements(latex: &str, functions: Vec<Name>) -> Result<Vec<Statement>, Error> {
     all(latex, functions, Parser::statement)
 }
 
-/// What prose says: sides that are equal, or one smaller than the next, families of them written out.
+/// The statements of prose: sides that are equal or ordered, with families expanded.
 pub(super) fn chains(latex: &str, functions: Vec<Name>) -> Result<Vec<Statement>, Error> {
     all(latex, functions, Parser::chain)
 }
@@ -44,7 +44,7 @@ fn all<'l>(
     }
 }
 
-/// Symbols with commas between them, each perhaps a function of parameters: `\mathbf{X}(g),\ \mathbf{t}`.
+/// Symbols separated by commas, each perhaps a function of parameters: `\mathbf{X}(g),\ \mathbf{t}`.
 pub(super) fn symbols(latex: &str) -> Result<Vec<(Name, Vec<Name>)>, Error> {
     let mut parser = Parser { tokens: tokens(latex)?, next: 0, functions: Vec::new() };
     let mut all = Vec::new();
@@ -60,7 +60,7 @@ pub(super) fn symbols(latex: &str) -> Result<Vec<(Name, Vec<Name>)>, Error> {
     }
 }
 
-/// Words beside an equation say nothing that could be wrong unseen.
+/// Checks that a remark consists of words only: anything mathematical would go unchecked.
 fn check_remark(words: &str, at: usize) -> Result<(), Error> {
     match words.chars().find(|c| !(c.is_alphabetic() || c.is_whitespace() || ".,;:".contains(*c))) {
         None => Ok(()),
@@ -68,7 +68,7 @@ fn check_remark(words: &str, at: usize) -> Result<(), Error> {
     }
 }
 
-/// Values of an index.
+/// The values of an index.
 struct Range {
     index: String,
     values: Vec<usize>,
@@ -76,7 +76,7 @@ struct Range {
 }
 
 impl Range {
-    /// Writes out what has the index.
+    /// Expands statements that have the index.
     fn applied_to(&self, statements: Vec<Statement>) -> Result<Vec<Statement>, Error> {
         if !statements.iter().any(|statement| statement.has_index(&self.index)) {
             return Err(Error::new(self.at, format!("no statement before this has the index {}", self.index)));
@@ -92,7 +92,7 @@ impl Range {
 }
 
 impl Parser<'_> {
-    /// Finds the functions that the equation declares, `r(g) = …`, before anything is read.
+    /// Finds the functions that the equation declares, `r(g) = …`, before the rest is parsed.
     fn declare(&mut self) {
         for start in 0..self.tokens.len() {
             let begins = start == 0 || matches!(self.tokens[start - 1].kind, Word::Gap | Word::Sign(','));
@@ -109,7 +109,7 @@ impl Parser<'_> {
         self.next = 0;
     }
 
-    /// `i = 1, 2, 3`, in brackets or not.
+    /// Parses `i = 1, 2, 3`, with or without brackets.
     fn range(&mut self) -> Result<Option<Range>, Error> {
         let (start, at) = (self.next, self.peek().at);
         let bracket = self.took_sign('(');
@@ -212,7 +212,7 @@ impl Parser<'_> {
     }
 }
 
-/// A tuple of names on the left becomes a definition of each.
+/// Splits the definition of a tuple of names into one definition each.
 pub(super) fn apart(statement: Statement) -> Vec<Statement> {
     let ([_, _, ..], Body::Equal(sides)) = (&statement.names[..], &statement.body) else {
         return vec![statement];

@@ -1,11 +1,11 @@
-//! Symbols as they are written.
+//! The parser of symbols.
 
 use super::cursor::Parser;
 use super::error::Error;
 use super::name::Name;
 use super::token::Kind as Word;
 
-/// Greek letters, and what else is a letter.
+/// Greek letters and other commands that are letters.
 pub(super) const LETTERS: &[&str] = &[
     "alpha",
     "beta",
@@ -42,7 +42,7 @@ pub(super) const LETTERS: &[&str] = &[
 ];
 
 impl Parser<'_> {
-    /// The longest symbol that begins here, with subscript, primes and a superscript that is no power.
+    /// Parses the longest symbol that begins here, with subscript, primes and a superscript that is not a power.
     pub(super) fn name(&mut self) -> Result<Option<Name>, Error> {
         let start = self.next;
         let change = self.change()?;
@@ -65,7 +65,7 @@ impl Parser<'_> {
         }
     }
 
-    /// `\delta`, `\mathrm{d}` or `\Delta` before a symbol.
+    /// Parses `\delta`, `\mathrm{d}` or `\Delta` before a symbol.
     fn change(&mut self) -> Result<&'static str, Error> {
         if self.is_variation() {
             self.next += 1;
@@ -84,7 +84,7 @@ impl Parser<'_> {
         if self.word()? == "d" { Ok("d") } else { Err(self.expected("only the d of a differential is upright:")) }
     }
 
-    /// Whether a `\delta` stands here that is no letter by itself, since a symbol follows.
+    /// Whether a `\delta` here is a variation rather than a letter, since a symbol follows.
     fn is_variation(&self) -> bool {
         let next = self.tokens.get(self.next + 1).map(|token| token.kind);
         let begins = match next {
@@ -97,7 +97,7 @@ impl Parser<'_> {
         self.peek().kind == Word::Command("delta") && begins
     }
 
-    /// The letter itself.
+    /// Parses the letter itself.
     fn stem(&mut self) -> Result<Option<Name>, Error> {
         let token = self.peek();
         let (base, bold) = match token.kind {
@@ -122,7 +122,7 @@ impl Parser<'_> {
         Ok(Some(Name { bold, base, ..Name::default() }))
     }
 
-    /// A Greek letter in braces.
+    /// Parses a Greek letter in braces.
     fn greek(&mut self) -> Result<String, Error> {
         self.expect('{')?;
         let token = self.take();
@@ -133,7 +133,7 @@ impl Parser<'_> {
         Ok(letter.into())
     }
 
-    /// One letter, or a group of letters, digits, commas and upright words.
+    /// Parses one letter, or a group of letters, digits, commas and upright words.
     fn subscript(&mut self) -> Result<Vec<String>, Error> {
         if !self.took_sign('{') {
             return Ok(vec![self.piece()?]);
@@ -156,7 +156,7 @@ impl Parser<'_> {
         }
     }
 
-    /// Whether the superscript here is a word or a lone minus, and no power.
+    /// Whether the superscript here is a word or a lone minus rather than a power.
     fn is_word_above(&self) -> bool {
         let after = |k: usize| self.tokens.get(self.next + k).map(|token| token.kind);
         let is_word = |kind| matches!(kind, Some(Word::Command("mathrm" | "min" | "max")));

@@ -1,8 +1,8 @@
-//! What an equation says, before it is known what its symbols are.
+//! The syntax tree of an equation, before symbols are resolved.
 
 use super::name::Name;
 
-/// An expression, and the byte at which it begins.
+/// An expression, and the byte offset at which it begins.
 #[derive(Clone, Debug)]
 pub(super) struct Expr {
     pub(super) kind: Kind,
@@ -13,7 +13,7 @@ pub(super) struct Expr {
 pub(super) enum Kind {
     Number(f64),
     Symbol(Name),
-    /// A declared function of arguments.
+    /// A declared function with arguments.
     Apply(Name, Vec<Expr>),
     Call(Function, Vec<Expr>),
     Negative(Box<Expr>),
@@ -29,7 +29,7 @@ pub(super) enum Kind {
         body: Box<Expr>,
     },
     Tuple(Vec<Expr>),
-    /// The k-th of a tuple, counted from 0.
+    /// The k-th item of a tuple, counted from 0.
     Item(Box<Expr>, usize),
     /// `\frac{\partial a}{\partial x}`
     Partial(Box<Expr>, Name),
@@ -42,7 +42,7 @@ pub(super) enum Function {
     Cos,
     ArcSin,
     Sign,
-    /// The nearest whole number.
+    /// The nearest integer.
     Round,
     Atan2,
 }
@@ -51,7 +51,7 @@ pub(super) enum Function {
 pub(super) enum Operator {
     Add,
     Subtract,
-    /// Side by side.
+    /// Juxtaposition.
     Times,
     /// `\cdot`
     Dot,
@@ -72,7 +72,7 @@ pub(super) enum Relation {
     Unequal,
 }
 
-/// Comparisons that all hold; none for "otherwise".
+/// Comparisons that must all hold; none for "otherwise".
 pub(super) type Condition = Vec<(Expr, Relation, Expr)>;
 
 /// `name = …`, a family of them, or a range.
@@ -80,7 +80,7 @@ pub(super) type Condition = Vec<(Expr, Relation, Expr)>;
 pub(super) struct Statement {
     /// One name, or a tuple of them.
     pub(super) names: Vec<Name>,
-    /// Of a declared function.
+    /// The parameters, if a function is declared.
     pub(super) parameters: Vec<Name>,
     pub(super) body: Body,
     pub(super) at: usize,
@@ -91,11 +91,11 @@ pub(super) enum Body {
     /// Expressions that are all equal.
     Equal(Vec<Expr>),
     ArgMin(Box<ArgMin>),
-    /// In prose: sides and how they relate. Whether it defines its first side is not known yet.
+    /// In prose: sides and their relations. Whether it defines its first side is not yet known.
     Chain(Expr, Vec<(Relation, Expr)>),
 }
 
-/// The place between two bounds where an expression is smallest.
+/// The minimiser of an expression between two bounds.
 #[derive(Clone, Debug)]
 pub(super) struct ArgMin {
     pub(super) low: Expr,
@@ -104,12 +104,12 @@ pub(super) struct ArgMin {
 }
 
 impl Statement {
-    /// Whether an index stands in a subscript.
+    /// Whether an index appears in a subscript.
     pub(super) fn has_index(&self, index: &str) -> bool {
         self.names.iter().any(|name| name.has_index(index)) || self.expressions().iter().any(|e| e.has_index(index))
     }
 
-    /// With a number in place of an index.
+    /// The statement with an index replaced by a number.
     pub(super) fn with_index(&self, index: &str, value: usize) -> Self {
         let put = |e: &Expr| e.with_index(index, value);
         let body = match &self.body {
@@ -141,13 +141,13 @@ impl Expr {
             Kind::Symbol(name) => name.has_index(index),
             Kind::Apply(name, arguments) => name.has_index(index) || arguments.iter().any(|e| e.has_index(index)),
             Kind::Partial(of, by) => by.has_index(index) || of.has_index(index),
-            // A sum over the same letter has its own.
+            // A sum over the same letter has its own index.
             Kind::Sum { index: own, .. } if own == index => false,
             _ => self.parts().iter().any(|e| e.has_index(index)),
         }
     }
 
-    /// Whether it is a vector or a matrix, as far as the type of its letters says.
+    /// Whether it is a vector or a matrix, judging by the type of its letters.
     pub(super) fn is_vector(&self) -> bool {
         match &self.kind {
             Kind::Symbol(name) | Kind::Apply(name, _) => name.bold,
@@ -162,7 +162,7 @@ impl Expr {
         }
     }
 
-    /// With each symbol and function replaced, where `put` says by what.
+    /// Replaces every symbol and function for which `put` returns a replacement.
     pub(super) fn replaced(&self, put: &dyn Fn(&Expr) -> Option<Self>) -> Self {
         if let Some(other) = put(self) {
             return other;
@@ -192,7 +192,7 @@ impl Expr {
         Self { kind, at: self.at }
     }
 
-    /// What it is made from.
+    /// Its direct subexpressions.
     pub(super) fn parts(&self) -> Vec<&Expr> {
         match &self.kind {
             Kind::Number(_) | Kind::Symbol(_) => Vec::new(),
@@ -212,7 +212,7 @@ impl Expr {
         }
     }
 
-    /// With a number in place of an index, in subscripts and by itself.
+    /// The expression with an index replaced by a number, in subscripts and as a symbol.
     pub(super) fn with_index(&self, index: &str, value: usize) -> Self {
         let put = |e: &Expr| e.with_index(index, value);
         let boxed = |e: &Expr| Box::new(put(e));
@@ -257,12 +257,12 @@ mod tests {
         statements(latex, vec![Name::letter("f")]).expect("it can be read")
     }
 
-    /// The only side of a definition of a.
+    /// The only side of the definition of a.
     fn side(latex: &str) -> Expr {
         read(&format!("a = {latex}"))[0].expressions()[0].clone()
     }
 
-    /// Of each kind one, with z in every place.
+    /// One expression of each kind, with z in every position.
     const KINDS: &[&str] = &[
         "z",
         "f(b, z)",
@@ -285,7 +285,7 @@ mod tests {
             Ok(all) => all.len(),
             Err(_) => 0,
         };
-        // On either side or in between, in the name of a function, below a partial derivative.
+        // On either side or in the middle, in the name of a function, in the denominator of a partial derivative.
         for one in ["a_q = 0", "0 = a_q", "0 = a_q = b", "0 = f_q(a)", "0 = f(a, b_q)"] {
             assert_eq!(count(one), 2, "{one}");
         }
@@ -293,10 +293,10 @@ mod tests {
         for kind in KINDS {
             assert_eq!([count(&format!("0 = {}", kind.replace('z', "b_q"))), count(&format!("0 = {kind}"))], [2, 0]);
         }
-        // A sum over the same letter has its own, beside which there may be one.
+        // A sum over the same letter has its own index; another may appear next to it.
         let sum = r"0 = \sum_{q=1}^{3} a_q";
         assert_eq!([count(sum), count(&format!("{sum} + b_q"))], [0, 2]);
-        // What has no index stays as it is.
+        // Statements without the index stay as they are.
         assert_eq!(count(r"a = 0,\ a_q = 1"), 3);
     }
 
@@ -306,7 +306,8 @@ mod tests {
         for kind in KINDS {
             same(&side(&kind.replace('z', "c_q")).with_index("q", 2), &side(&kind.replace('z', "c_2")));
         }
-        // By itself it is a number; what cannot be read as one, behind a sine or in the place of a symbol, is left out.
+        // As a symbol of its own it becomes a number. Kinds where a number would not parse, after a sine or as the
+        // name of a symbol, are omitted.
         for kind in KINDS.iter().filter(|kind| !kind.contains("sin") && !kind.contains("partial")) {
             same(&side(&kind.replace('z', "q")).with_index("q", 2), &side(&kind.replace('z', "2")));
         }

@@ -1,4 +1,4 @@
-//! LaTeX as tokens, with what only sets type left out.
+//! LaTeX as tokens, without purely typographic commands.
 
 use super::error::Error;
 
@@ -9,7 +9,7 @@ pub(super) enum Kind<'a> {
     Command(&'a str),
     /// A letter of the alphabet.
     Letter(char),
-    /// A digit: `\tfrac12` is one half, so numbers are put together only where one is read.
+    /// A digit: `\tfrac12` is one half, so digits are combined only where a number is parsed.
     Digit(char),
     /// Any other character.
     Sign(char),
@@ -25,14 +25,14 @@ pub(super) enum Kind<'a> {
     End,
 }
 
-/// A token, and the byte at which it begins.
+/// A token, and the byte offset at which it begins.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Token<'a> {
     pub(super) kind: Kind<'a>,
     pub(super) at: usize,
 }
 
-/// Spaces and sizes of brackets, which mean nothing.
+/// Spaces and sizes of brackets, which have no meaning.
 const TYPOGRAPHY: &[&str] = &[
     ",", ";", ":", "!", " ", "left", "right", "big", "Big", "bigg", "Bigg", "bigl", "bigr", "Bigl", "Bigr", "biggl",
     "biggr", "Biggl", "Biggr",
@@ -44,7 +44,7 @@ pub(super) fn tokens(latex: &str) -> Result<Vec<Token<'_>>, Error> {
     let mut all: Vec<Token<'_>> = Vec::new();
     loop {
         let token = reader.next()?;
-        // A line that begins with a plus goes on with the one before.
+        // A line that begins with a plus continues the previous one.
         let goes_on = token.is_some_and(|token| token.kind == Kind::Sign('+'));
         while goes_on && all.last().is_some_and(|last| last.kind == Kind::Gap) {
             all.pop();
@@ -59,7 +59,7 @@ pub(super) fn tokens(latex: &str) -> Result<Vec<Token<'_>>, Error> {
 struct Reader<'a> {
     latex: &'a str,
     at: usize,
-    /// Of the environments around this place, whether it is `aligned`, whose cells and lines only arrange statements.
+    /// For each enclosing environment, whether it is `aligned`, whose cells and lines merely arrange statements.
     aligned: Vec<bool>,
 }
 
@@ -72,7 +72,7 @@ impl<'a> Reader<'a> {
         self.aligned.last() == Some(&true)
     }
 
-    /// The next token; nothing where there is only typography.
+    /// The next token; `None` if there is only typography.
     fn next(&mut self) -> Result<Option<Token<'a>>, Error> {
         let at = self.at;
         let Some(first) = self.rest().chars().next() else {
@@ -92,7 +92,7 @@ impl<'a> Reader<'a> {
         Ok(kind.map(|kind| Token { kind, at }))
     }
 
-    /// What follows a backslash.
+    /// The token after a backslash.
     fn command(&mut self, at: usize) -> Result<Option<Kind<'a>>, Error> {
         let letters = self.rest().bytes().take_while(u8::is_ascii_alphabetic).count();
         let length = match self.rest().chars().next() {
@@ -126,7 +126,7 @@ impl<'a> Reader<'a> {
         }))
     }
 
-    /// The text between the braces that follow.
+    /// The text between the following braces.
     fn group(&mut self, at: usize) -> Result<&'a str, Error> {
         let inside = self.rest().strip_prefix('{').and_then(|rest| rest.split_once('}'));
         let (content, _) = inside.ok_or_else(|| Error::new(at, "a group in braces must follow"))?;

@@ -1,24 +1,24 @@
-//! Numbers, vectors and matrices, and what is done to them.
+//! Numbers, vectors and matrices, and the operations on them.
 
 use super::error::Error;
 use super::name::Name;
 use super::syntax::{Operator, Relation};
 use crate::toolkit::graph::{self, Binary, Graph, Node, Op, Unary};
 
-/// What an expression is.
+/// The value of an expression.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Value {
     Scalar(Node),
     Vector(Vec<Node>),
     /// A square matrix, row by row.
     Matrix(Vec<Node>),
-    /// The normal of the plane, **s**: its cross product with a vector of the plane turns that to the left.
+    /// The normal of the plane, **s**: its cross product with a vector in the plane rotates that to the left.
     Normal,
     /// The zero vector, of any length.
     Zero,
 }
 
-/// The same done to every number.
+/// Applies an operation to every number.
 pub(super) fn each(
     graph: &mut Graph,
     value: Value,
@@ -84,7 +84,7 @@ pub(super) fn binary(
             };
             Value::Vector(vec![minor(1, 2), minor(2, 0), minor(0, 1)])
         }
-        // Of every column.
+        // For every column.
         (Cross, Value::Vector(a), Value::Matrix(b)) if a.len() == 3 && b.len() == 9 => {
             let mut minor = |i: usize, j: usize, column: usize| {
                 let (plus, minus) = (graph.product(a[i], b[3 * j + column]), graph.product(a[j], b[3 * i + column]));
@@ -103,7 +103,7 @@ pub(super) fn power(graph: &mut Graph, base: Node, exponent: usize) -> Node {
     (1..exponent).fold(base, |power, _| graph.product(power, base))
 }
 
-/// What is squared in a sum of squares.
+/// The squared nodes of a sum of squares.
 pub(super) fn squares(graph: &Graph, sum: Node) -> Option<Vec<Node>> {
     match *graph.op(sum) {
         Op::Binary(Binary::Multiply, a, b) if a == b => Some(vec![a]),
@@ -124,7 +124,7 @@ pub(super) fn norm(graph: &mut Graph, parts: &[Node]) -> Node {
     }
 }
 
-/// 1 where it holds, else 0.
+/// A node that is 1 if the relation holds, else 0.
 pub(super) fn compare(graph: &mut Graph, relation: Relation, a: Node, b: Node) -> Node {
     let (order, [a, b]) = match relation {
         Relation::Less => (graph::Relation::Less, [a, b]),
@@ -153,7 +153,7 @@ fn pi(graph: &mut Graph) -> Node {
     graph.enter(Op::Binary(Binary::Angle, y, x))
 }
 
-/// Symbols that mean the same everywhere, unless somebody defines them.
+/// Symbols with the same meaning everywhere, unless they are defined.
 pub(super) fn constant(name: &Name, graph: &mut Graph) -> Option<Value> {
     let plain = name.below.is_empty() && name.above.is_empty() && name.primes == 0 && name.change.is_empty();
     if !plain {

@@ -1,10 +1,10 @@
-//! The variation of an equation, δ: how what it defines changes with its inputs, as an equation.
+//! The variation δ of an equation: how its definitions change with its inputs, as an equation.
 
 use super::closed::symbols;
 use super::name::Name;
 use super::syntax::{ArgMin, Body, Condition, Expr, Function, Kind, Operator, Relation, Statement};
 
-/// The variations of statements, in the same order; of what does not change there is none.
+/// The variations of the statements that vary, in the same order.
 pub(super) fn variations(statements: &[Statement], inputs: &[Name]) -> Vec<Statement> {
     let mut rules = Rules { statements, inputs, varying: Vec::new(), by: None, index: None };
     rules.find_varying();
@@ -14,16 +14,16 @@ pub(super) fn variations(statements: &[Statement], inputs: &[Name]) -> Vec<State
 struct Rules<'s> {
     statements: &'s [Statement],
     inputs: &'s [Name],
-    /// What changes with the inputs.
+    /// The symbols that vary with the inputs.
     varying: Vec<Name>,
-    /// The one symbol that changes, by 1; else all inputs do.
+    /// The only symbol that varies, at unit rate; if `None`, all inputs vary.
     by: Option<Name>,
     /// The index of a sum, and one of its values.
     index: Option<(&'s str, usize)>,
 }
 
 impl Rules<'_> {
-    /// Definitions change if something in them does.
+    /// Marks definitions that contain something that varies.
     fn find_varying(&mut self) {
         loop {
             let next = self.statements.iter().find(|statement| {
@@ -35,7 +35,7 @@ impl Rules<'_> {
         }
     }
 
-    /// Whether something in it changes, by its values and not by its conditions.
+    /// Whether any value in the expression varies; conditions do not count.
     fn varies(&self, e: &Expr, held: &[Name]) -> bool {
         let mut names = Vec::new();
         match &e.kind {
@@ -51,7 +51,7 @@ impl Rules<'_> {
         names.iter().any(|name| !held.contains(name) && (self.varying.contains(name) || self.is_input(name)))
     }
 
-    /// With a value in the place of the index.
+    /// The symbol with the index replaced by its value.
     fn indexed(&self, name: &Name) -> Name {
         self.index.map_or_else(|| name.clone(), |(index, value)| name.with_index(index, value))
     }
@@ -70,7 +70,7 @@ impl Rules<'_> {
         Some(Statement { names: vec![name.varied()], body: Body::Equal(vec![body]), ..statement.clone() })
     }
 
-    /// How the place of something smallest moves: between its bounds its slope stays 0.
+    /// The variation of a minimiser: between its bounds the slope of the objective remains 0.
     fn place(&self, name: &Name, found: &ArgMin) -> Option<Expr> {
         let Kind::Size(gap) = &found.objective.kind else { return None };
         let gap = self.without_functions(gap);
@@ -84,12 +84,12 @@ impl Rules<'_> {
         Some(expr(Kind::Cases(rows)))
     }
 
-    /// With the bodies of functions in the place of their applications.
+    /// Replaces applications of functions by their bodies.
     fn without_functions(&self, e: &Expr) -> Expr {
         e.replaced(&|part| self.applied(part).map(|inside| self.without_functions(&inside)))
     }
 
-    /// The body of a function with its arguments, or with the symbols of its parameters where none are written.
+    /// The body of a function with its arguments, or with the symbols of its parameters if there are none.
     fn applied(&self, e: &Expr) -> Option<Expr> {
         let (name, arguments) = match &e.kind {
             Kind::Apply(name, arguments) => (name, Some(arguments)),
@@ -112,7 +112,7 @@ impl Rules<'_> {
         Some(sides[0].replaced(&put))
     }
 
-    /// The variation of an expression, nothing where it does not change; `held` are symbols that do not.
+    /// The variation of an expression, `None` if it does not vary; `held` are symbols that do not vary.
     fn of(&self, e: &Expr, held: &[Name]) -> Option<Expr> {
         match &e.kind {
             Kind::Number(_) | Kind::Partial(..) => None,
@@ -174,7 +174,7 @@ impl Rules<'_> {
         let changes = |name: &Name| !is_held(name) && (self.is_input(name) || self.varying.contains(name));
         let own = Expr { kind: Kind::Symbol(name.clone()), at: 0 };
         if let Some(body) = self.applied(&own) {
-            // A function without a bracket changes with the symbol of its parameter, too.
+            // A function without arguments also varies with the symbol of its parameter.
             return self.of(&body, held);
         }
         (changes(name) || vector.as_ref().is_some_and(changes)).then(|| expr(Kind::Symbol(written.varied())))
@@ -244,7 +244,7 @@ impl Rules<'_> {
     }
 }
 
-/// Half of it, if every term has the factor 2.
+/// Half of the expression, if every term has the factor 2.
 fn halved(e: &Expr) -> Option<Expr> {
     match &e.kind {
         Kind::Binary(Operator::Times, a, b) => match &a.kind {
@@ -303,7 +303,7 @@ fn divide(a: Expr, b: Expr) -> Expr {
     }
 }
 
-/// A product from left to right, its number first; signs and the factor 1 do not stand in it.
+/// A product from left to right, its number first; signs and factors of 1 are omitted.
 fn times(a: Expr, b: Expr) -> Expr {
     match (a.kind, b.kind) {
         (Kind::Negative(a), b) => negative(times(*a, expr(b))),
@@ -338,7 +338,7 @@ mod tests {
         assert_eq!(varied, expected);
     }
 
-    /// The variations of statements; a, b and **v** are inputs.
+    /// The variations of statements with a, b and **v** as inputs.
     fn varied(given: &str) -> Vec<String> {
         let inputs = [Name::letter("a"), Name::letter("b"), Name { bold: true, ..Name::letter("v") }];
         variations(&statements(given, Vec::new()).unwrap(), &inputs).iter().map(latex::statement).collect()
@@ -392,7 +392,8 @@ mod tests {
     #[test]
     fn what_is_defined_changes_with_what_it_is_made_from_in_any_order() {
         assert_eq!(varied(r"y = c + k,\quad c = a,\quad k = 2"), [r"\delta y = \delta c", r"\delta c = \delta a"]);
-        // A function changes at fixed arguments, with a letter of its own even if an input has that, and with them.
+        // A function varies at fixed arguments, its parameter being local even if an input has the same letter, and
+        // with its arguments.
         let functions = r"r(b) = b^2\,a,\quad y = r(k),\quad z = r(b)";
         assert_eq!(
             varied(functions),

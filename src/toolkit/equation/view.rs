@@ -1,4 +1,4 @@
-//! What is shown below an equation: the same with everything put in, and its variation.
+//! The forms shown below an equation: closed over its inputs, and its variation.
 
 use super::closed::{flat, put_in};
 use super::error::Error;
@@ -7,23 +7,22 @@ use super::syntax::{Body, Statement};
 use super::variation::variations;
 use super::{Claims, Equation, Setting, Signature, latex, named};
 
-/// An equation closed over its inputs, and how its outputs change with them; made from the equation, in LaTeX.
+/// An equation closed over its inputs, and the variations of its outputs; derived from the equation, in LaTeX.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct View {
-    /// The equation with what it takes from other entries, one statement a line; empty where it takes nothing.
+    /// The equation with definitions from other entries included, one statement per line; empty if there are none.
     pub closed: Vec<String>,
-    /// The variations of what it defines, one statement a line.
+    /// The variations of its definitions, one statement per line.
     pub variation: Vec<String>,
-    /// What the variations refer to beside inputs and outputs.
+    /// Further definitions that the variations refer to.
     definitions: Vec<String>,
 }
 
 impl View {
-    /// The views of a formula's equation; nothing where entries that it refers to call different things by the same
-    /// symbol.
+    /// The views of a formula's equation; `None` if entries that it refers to use one symbol for different things.
     ///
     /// # Errors
-    /// Where the equation cannot be read.
+    /// If the equation cannot be read.
     pub fn of(formula: &Signature) -> Result<Option<Self>, Error> {
         let Signature { spec, inputs, outputs } = formula;
         let (inputs, outputs) = (named(inputs)?, named(outputs)?);
@@ -43,10 +42,10 @@ impl View {
         }))
     }
 
-    /// The closed equation, to be executed.
+    /// The closed equation, as an executable equation.
     ///
     /// # Errors
-    /// Where it cannot be read, which would be a fault of what wrote it.
+    /// If it cannot be read, which would be a bug of the LaTeX writer.
     pub fn equation(&self, formula: &Signature) -> Result<Option<Equation>, Error> {
         let Signature { spec, inputs, outputs } = formula;
         if self.closed.is_empty() {
@@ -59,7 +58,7 @@ impl View {
     /// The variations as claims about the formula.
     ///
     /// # Errors
-    /// As [`View::equation`].
+    /// As for [`View::equation`].
     pub fn claims(&self, formula: &Signature) -> Result<Claims, Error> {
         let setting = Setting {
             of: Some(*formula),

@@ -1,21 +1,21 @@
-//! A graph in which one operation is another one: what a mistake in a program would compute.
+//! A graph with one operation replaced, as by a mistake in a program.
 
 use super::node::{Graph, Node, Op};
 
-/// What stands in the place of an operation.
+/// The replacement of an operation.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Instead {
-    /// Another operation, on inputs or on what stands before.
+    /// Another operation, on inputs or earlier results.
     Op(Op),
-    /// A result that stands before.
+    /// An earlier result.
     Result(Node),
 }
 
 impl Graph {
-    /// The graph with something else at one place. It may use what stands before, as all inputs do.
+    /// The graph with one operation replaced. The replacement may use earlier results, which include all inputs.
     ///
     /// # Panics
-    /// If it uses what stands behind.
+    /// If it uses later results.
     #[must_use]
     pub fn altered(&self, place: Node, instead: &Instead) -> Self {
         let mut altered = Self::default();

@@ -1,17 +1,17 @@
-//! Work that several choices share, and nothing else needs, is done only where one of them needs it.
+//! Work that is shared by several choices, and by nothing else, is done only if one of them needs it.
 
 use super::node::{Graph, Node, Op};
 use super::program::Layout;
 use std::collections::{BTreeSet, HashMap, HashSet};
 
-/// So many shared operations are worth a condition of their own.
+/// The number of shared operations that justifies a common condition.
 const WORTH: usize = 16;
 
 impl Graph {
-    /// Puts choices that share much work where their answer is yes behind a common condition: that one of them is.
+    /// Puts choices whose yes-branches share much work behind a common condition, the disjunction of theirs.
     ///
-    /// `c ? a : b` becomes `(c or d) ? (c ? a : b) : b`, and so does the choice by `d`; what only `a` and its counterpart are
-    /// made of then belongs to one side.
+    /// `c ? a : b` becomes `(c or d) ? (c ? a : b) : b`, and so does the choice by `d`; work that only `a` and its
+    /// counterpart need then belongs to one branch.
     #[must_use]
     pub(super) fn gathered(&self) -> Self {
         let results = [self.value.as_slice(), &self.jacobian].concat();
@@ -56,17 +56,17 @@ fn groups<'a>(layout: &'a Layout, results: &[Node]) -> Vec<Group<'a>> {
         let choices: Vec<_> = set.into_iter().map(|choice| &layout.choices[choice]).collect();
         let conditions: BTreeSet<_> = choices.iter().map(|choice| choice.condition).collect();
         let selects: Vec<_> = choices.iter().map(|choice| choice.selects.as_slice()).collect();
-        // The conditions are known before any of these results is.
+        // All conditions must be computed before any of these results.
         let first = selects.iter().copied().flatten().min()?;
         conditions.iter().all(|condition| condition < first).then_some(Group { conditions, selects })
     };
     sharing(layout, results).into_iter().filter_map(group).collect()
 }
 
-/// Sets of outermost choices that share much where their answers are yes, and have nothing to do where they are no.
+/// Sets of outermost choices whose yes-branches share much work and whose no-branches are empty.
 fn sharing(layout: &Layout, results: &[Node]) -> Vec<BTreeSet<usize>> {
     let outer: Vec<_> = (0..layout.choices.len()).filter(|&choice| layout.choices[choice].block == 0).collect();
-    // A choice may itself be part of what others share.
+    // A choice may itself be part of the work that others share.
     let uses = Uses::of(layout, results, &outer);
     let is_shared = |select: &Node| uses.at[select.index()].as_ref().is_some_and(|use_| !use_.is_empty());
     let (shared, outer): (Vec<_>, Vec<_>) =
@@ -86,14 +86,14 @@ fn sharing(layout: &Layout, results: &[Node]) -> Vec<BTreeSet<usize>> {
     sets.map(|(set, _)| set.intersection(&outer).copied().collect()).filter(|set: &BTreeSet<_>| set.len() > 1).collect()
 }
 
-/// Of every operation the choices in whose sides alone it is used; none where it is used elsewhere too.
+/// For every operation, the choices within whose branches alone it is used; empty if it is used elsewhere too.
 struct Uses<'a> {
     layout: &'a Layout<'a>,
     at: Vec<Option<BTreeSet<usize>>>,
 }
 
 impl<'a> Uses<'a> {
-    /// Sides of other choices count as elsewhere.
+    /// Branches of other choices count as elsewhere.
     fn of(layout: &'a Layout, results: &[Node], choices: &[usize]) -> Self {
         let sides = choices.iter().flat_map(|&choice| layout.choices[choice].sides.map(|side| (side, choice)));
         let sides: HashMap<_, _> = sides.collect();
@@ -121,7 +121,7 @@ impl<'a> Uses<'a> {
         Self { layout, at }
     }
 
-    /// The choices of what is done before them but for several of them alone.
+    /// For each operation outside all choices that only several choices need, the set of those choices.
     fn shared(&self) -> impl Iterator<Item = &BTreeSet<usize>> {
         let is_before =
             |index: usize| self.layout.place[index] == Some(0) && !self.layout.graph.is_atom(Node::at(index));

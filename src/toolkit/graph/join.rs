@@ -1,14 +1,14 @@
-//! Where two sides of a comparison come together.
+//! Joins the two branches of a comparison.
 
 use super::node::{Graph, Node, Op};
 use rustc_hash::{FxHashMap, FxHashSet};
 
-/// The results where the condition holds and where it does not, as one list.
+/// Merges the results of both branches of a condition into one list.
 ///
-/// Two results of the same operation become that operation on joined operands, so that what follows a choice is written
-/// once and the choice itself stands where the sides part. A result that a side needs for itself as well is not computed
-/// again behind it. Where a second condition decides on one side alone, and one of its results is that of the other side,
-/// both conditions become one: that result then belongs to a single side, and is computed there only.
+/// Two results of the same operation become that operation on joined operands, so that common work is written once after the
+/// choice, and the choice itself selects where the branches diverge. A result that a branch also needs internally is not
+/// recomputed after the choice. If a second condition decides within one branch only, and one of its results is that of the other
+/// branch, both conditions are combined: that result then belongs to a single branch, and is computed only there.
 pub(super) fn join(graph: &mut Graph, condition: Node, yes: &[Node], no: &[Node]) -> Vec<Node> {
     let pairs: Vec<_> = yes.iter().copied().zip(no.iter().copied()).collect();
     let own = own(graph, condition, &pairs);
@@ -16,7 +16,7 @@ pub(super) fn join(graph: &mut Graph, condition: Node, yes: &[Node], no: &[Node]
     pairs.into_iter().map(|pair| join.both(pair)).collect()
 }
 
-/// Of all operations, whether each side needs them for results that cannot be joined.
+/// For all operations, whether each branch needs them for results that cannot be joined.
 type Own = [Vec<bool>; 2];
 
 struct Join<'a> {
@@ -57,15 +57,16 @@ impl Join<'_> {
     }
 }
 
-/// A condition that decides on one side alone, between another result and that of the other side, which was not there before
-/// the sides parted.
+/// A second condition within one branch, which selects between another result and that of the other branch, provided
+/// that the latter did not exist before the branches diverged.
 enum Second {
     None,
     Both(Node),
     Either(Node),
 }
 
-/// Two results that are not joined, by both conditions where there is a second: where they hold, and where they do not.
+/// Two results that are not joined, combined with a second condition if there is one: the result if the conditions
+/// hold, and the result if they do not.
 fn parted(graph: &Graph, condition: Node, (yes, no): (Node, Node)) -> (Second, Node, Node) {
     match (graph.op(yes), graph.op(no)) {
         (&Op::Select(second, both, other), _) if other == no && no > condition => (Second::Both(second), both, no),
@@ -80,7 +81,7 @@ fn parted(graph: &Graph, condition: Node, (yes, no): (Node, Node)) -> (Second, N
 fn are_joined(graph: &Graph, condition: Node, own: &Own, pair: (Node, Node)) -> bool {
     let (yes, no) = pair;
     let (left, right) = (graph.op(yes), graph.op(no));
-    // A length that was there before the sides parted is there on both, and is not computed again.
+    // A length known before the branches diverged is available in both, and is not recomputed.
     let is_known = matches!(left, Op::Norm(_)) && (yes < condition || no < condition);
     !is_known && !is_own(own, pair) && left.is_like(right) && !left.mentions(condition) && !right.mentions(condition)
 }
@@ -89,14 +90,15 @@ fn operands(graph: &Graph, (yes, no): (Node, Node)) -> impl Iterator<Item = (Nod
     graph.op(yes).operands().into_iter().zip(graph.op(no).operands())
 }
 
-/// What each side needs for itself: the more is not joined, the more that is, until nothing that was joined is among it.
+/// The operations each branch needs internally. The more there are, the fewer are joined, and the reverse, so this
+/// iterates until nothing joined is among them.
 fn own(graph: &Graph, condition: Node, pairs: &[(Node, Node)]) -> Own {
     let mut own = [(); 2].map(|()| vec![false; graph.ops().len()]);
     while joined(graph, condition, &mut own, pairs).into_iter().any(|pair| is_own(&own, pair)) {}
     own
 }
 
-/// The pairs that are joined as far as is known what each side needs for itself, to which all others are added.
+/// The pairs that are joined given what each branch is known to need internally; what the other pairs need is added to that.
 fn joined(graph: &Graph, condition: Node, own: &mut Own, pairs: &[(Node, Node)]) -> Vec<(Node, Node)> {
     let (mut open, mut seen, mut joined) = (pairs.to_vec(), FxHashSet::default(), Vec::new());
     while let Some(pair) = open.pop() {
@@ -118,7 +120,7 @@ fn is_own(own: &Own, (yes, no): (Node, Node)) -> bool {
     own[0][yes.index()] || own[1][no.index()]
 }
 
-/// Adds an operation and all that it is computed from.
+/// Adds an operation and everything it is computed from.
 fn add_needed(graph: &Graph, needed: &mut [bool], node: Node) {
     let mut open = vec![node];
     while let Some(node) = open.pop() {

@@ -1,11 +1,11 @@
-//! Which choices by one condition can be made together.
+//! Finds choices with a common condition that can be made together.
 
 use super::node::{Graph, Node, Op};
 use std::collections::BTreeMap;
 
 impl Graph {
-    /// Levels of all operations, such that none follows from a choice of its own level or a higher one, and choices by one
-    /// condition have the same level wherever none follows from another.
+    /// Levels of all operations, such that none depends on a choice of its own or a higher level, and choices with a
+    /// common condition have the same level wherever none depends on another.
     pub(super) fn levels(&self) -> Vec<usize> {
         let choices = Choices::of(self);
         let mut set_of = vec![None; self.ops().len()];
@@ -21,7 +21,7 @@ impl Graph {
                     continue;
                 }
                 mark(&mut set_of, &set, Some(sets));
-                // Made together, these may wait for others that wait for them.
+                // Made together, these might form a cycle with other sets.
                 match choices.levels(&set_of, sets + 1) {
                     Some(possible) => (levels, sets) = (possible, sets + 1),
                     None => mark(&mut set_of, &set, None),
@@ -38,7 +38,7 @@ fn mark(set_of: &mut [Option<usize>], selects: &[usize], set: Option<usize>) {
     }
 }
 
-/// The operations by their places: what each is computed from, and the condition of each choice.
+/// The operations by index: the operands of each, and the condition of each choice.
 struct Choices {
     operands: Vec<Vec<usize>>,
     conditions: Vec<Option<usize>>,
@@ -67,8 +67,8 @@ impl Choices {
         selects
     }
 
-    /// How many choices follow from each other up to each operation, where those of a set are made together; `None` where
-    /// sets wait for each other.
+    /// The length of the longest chain of dependent choices up to each operation, if the choices of each set are made
+    /// together; `None` if sets depend on each other cyclically.
     fn levels(&self, set_of: &[Option<usize>], sets: usize) -> Option<Vec<usize>> {
         let highest = self.conditions.iter().flatten().count();
         let mut of_sets = vec![0; sets];
@@ -94,9 +94,9 @@ impl Choices {
         }
     }
 
-    /// Sets of some choices, none of which follows from another of its set.
+    /// Partitions choices into sets within which none depends on another.
     fn independent(&self, selects: &[usize]) -> Vec<Vec<usize>> {
-        // How many of them each operation follows from, one of the other.
+        // The length of the longest chain of these choices that each operation depends on.
         let mut lengths = vec![0; self.operands.len()];
         let mut sets: Vec<Vec<usize>> = Vec::new();
         let mut open = selects.iter().copied().peekable();

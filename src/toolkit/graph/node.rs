@@ -1,4 +1,4 @@
-//! The list of operations, in which nothing is computed twice.
+//! The list of operations, without repeated computations.
 
 use crate::Octuple;
 use crate::formula::error::Error;
@@ -7,7 +7,7 @@ use rustc_hash::FxHashMap;
 use std::fmt;
 use std::hash::{Hash, Hasher};
 
-/// The place of a result in the list: a number, or the answer of a comparison.
+/// The index of a result in the list: a number, or the Boolean of a comparison.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Node(u32);
 
@@ -16,7 +16,7 @@ impl Node {
         Self(u32::try_from(index).expect("fewer than 2³² operations"))
     }
 
-    /// The place, from 0.
+    /// The index, from 0.
     pub fn index(self) -> usize {
         self.0 as usize
     }
@@ -73,25 +73,25 @@ pub enum Relation {
     Equal,
 }
 
-/// A search: known by its name, and done by a function.
+/// A search, identified by its name and executed by a function.
 #[derive(Clone, Copy)]
 pub struct Search {
-    /// What it is called.
+    /// Its name.
     pub name: &'static str,
-    /// What it finds from as many numbers as it takes.
+    /// The result of the search from its list of numbers.
     pub(super) find: fn(&[f64]) -> f64,
     /// The same in 237 bits.
     pub(super) find_exactly: fn(&[Octuple]) -> Octuple,
 }
 
 impl Search {
-    /// A search of formulas, as an operation.
+    /// A search used by formulas, as an operation.
     pub(crate) fn of<S: scalar::Search<N>, const N: usize>() -> Self {
         Self { name: S::NAME, find: found::<_, S, N>, find_exactly: found::<_, S, N> }
     }
 }
 
-/// What a search finds from a list of as many numbers as it takes.
+/// The result of a search, from a slice with the right number of numbers.
 fn found<L: Leaf, S: scalar::Search<N>, const N: usize>(numbers: &[L]) -> L {
     S::find(std::array::from_fn(|k| numbers[k]))
 }
@@ -116,12 +116,12 @@ impl fmt::Debug for Search {
     }
 }
 
-/// How a result follows from earlier ones.
+/// How a result is computed from earlier ones.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Op {
     /// A component of the inputs, in order.
     Input(usize),
-    /// A number by its bits, so that it can be looked up.
+    /// A number, stored as bits so that it can be hashed.
     Number(u64),
     /// A function of one number.
     Unary(Unary, Node),
@@ -131,28 +131,28 @@ pub enum Op {
     MultiplyAdd(Node, Node, Node),
     /// The length of a vector, as [`norm`](crate::number::scalar::norm) computes it.
     Norm(Box<[Node]>),
-    /// A sum of products of four numbers each, of which nothing is rounded but the sum in the end.
+    /// A sum of products of four numbers each, with only the final sum rounded.
     ExactSum(Box<[[Node; 4]]>),
-    /// What a search finds from these numbers.
+    /// The result of a search from these numbers.
     Search(Search, Box<[Node]>),
-    /// An answer.
+    /// A comparison, which yields a Boolean.
     Compare(Relation, Node, Node),
-    /// The second where the first, an answer, is yes; else the third. Both may be answers.
+    /// The second if the first, a Boolean, is true; else the third. Both may be Booleans.
     Select(Node, Node, Node),
 }
 
 impl Op {
-    /// Whether two answers are yes; the second counts only where the first is.
+    /// The conjunction of two Booleans; the second counts only if the first is true.
     pub(crate) fn both(first: Node, second: Node) -> Self {
         Self::Select(first, second, first)
     }
 
-    /// Whether one of two answers is yes; the second counts only where the first is not.
+    /// The disjunction of two Booleans; the second counts only if the first is false.
     pub(super) fn either(first: Node, second: Node) -> Self {
         Self::Select(first, first, second)
     }
 
-    /// The answers of which it tells whether both are yes.
+    /// The operands, if this is a conjunction.
     pub fn both_of(&self) -> Option<[Node; 2]> {
         match *self {
             Self::Select(first, second, no) if no == first => Some([first, second]),
@@ -160,7 +160,7 @@ impl Op {
         }
     }
 
-    /// The answers of which it tells whether one is yes.
+    /// The operands, if this is a disjunction.
     pub fn either_of(&self) -> Option<[Node; 2]> {
         match *self {
             Self::Select(first, yes, second) if yes == first => Some([first, second]),
@@ -168,14 +168,14 @@ impl Op {
         }
     }
 
-    /// What it is computed from.
+    /// Its operands.
     pub fn operands(&self) -> Vec<Node> {
         let mut operands = Vec::new();
         self.each_operand(|operand| operands.push(operand));
         operands
     }
 
-    /// The same, one by one.
+    /// Visits its operands one by one.
     pub(super) fn each_operand(&self, mut f: impl FnMut(Node)) {
         match self {
             Self::Input(_) | Self::Number(_) => {}
@@ -197,14 +197,14 @@ impl Op {
     /// The same operation on other operands.
     ///
     /// # Panics
-    /// If there are more or fewer of them.
+    /// If their number differs.
     #[must_use]
     pub fn on(&self, operands: &[Node]) -> Self {
         assert_eq!(operands.len(), self.operands().len(), "an operation keeps the number of its operands");
         self.with_operands(operands)
     }
 
-    /// The same operation on other operands, of which there are as many.
+    /// The same operation on other operands of the same number.
     pub(super) fn with_operands(&self, operands: &[Node]) -> Self {
         match (self, operands) {
             (Self::Unary(function, _), &[x]) => Self::Unary(*function, x),
@@ -219,14 +219,14 @@ impl Op {
         }
     }
 
-    /// Whether it is computed from this.
+    /// Whether it has this operand.
     pub(super) fn mentions(&self, node: Node) -> bool {
         let mut mentions = false;
         self.each_operand(|operand| mentions |= operand == node);
         mentions
     }
 
-    /// Whether both do the same, perhaps to different operands. Inputs and numbers have none.
+    /// Whether both are the same operation, perhaps on different operands. Inputs and numbers never are.
     pub(super) fn is_like(&self, other: &Self) -> bool {
         match (self, other) {
             (Self::Unary(mine, _), Self::Unary(others, _)) => mine == others,
@@ -250,24 +250,24 @@ pub struct Graph {
     pub value: Vec<Node>,
     /// The entries of the Jacobian.
     pub jacobian: Vec<Node>,
-    /// 0 where inputs in their domains are valid together, else the position in `refusals`, from 1; `None` where they always are.
+    /// 0 if inputs in their domains are valid together, else the position in `refusals`, from 1; `None` if they always are.
     pub refusal: Option<Node>,
-    /// Why inputs are refused. Numbers in these are NaN: they depend on the inputs.
+    /// The reasons for rejecting inputs. Numbers in these are NaN, since they depend on the inputs.
     pub refusals: Vec<Error>,
 }
 
 impl Graph {
-    /// The operations in order: what one is computed from stands before it.
+    /// The operations in order: operands come before the operations that use them.
     pub fn ops(&self) -> &[Op] {
         &self.ops
     }
 
-    /// How a result follows.
+    /// The operation that computes a result.
     pub fn op(&self, node: Node) -> &Op {
         &self.ops[node.index()]
     }
 
-    /// The place of a result, which is entered where it is new.
+    /// The index of a result, which is added if it is new.
     pub(crate) fn enter(&mut self, op: Op) -> Node {
         if let Some(&node) = self.known.get(&op) {
             return node;
@@ -278,7 +278,8 @@ impl Graph {
         node
     }
 
-    /// Where another graph has the components of this value, its inputs at these positions being those of this one.
+    /// The indices in another graph of the components of this value; the inputs of this graph are those of the other
+    /// at the positions `inputs`.
     pub fn value_within(&self, other: &Self, inputs: &[usize]) -> Vec<Option<Node>> {
         let mut places: Vec<Option<Node>> = Vec::with_capacity(self.ops.len());
         for op in &self.ops {
@@ -300,7 +301,7 @@ impl Graph {
         }
     }
 
-    /// The graph without what no result needs, the rest in the same order.
+    /// The graph without operations that no result needs, the rest in the same order.
     #[must_use]
     pub(super) fn pruned(&self) -> Self {
         let results = [self.refusal.as_slice(), &self.value, &self.jacobian].concat();
@@ -314,7 +315,7 @@ impl Graph {
         pruned.with_results_of(self, |node| places[&node])
     }
 
-    /// This graph with the results of another one, which have moved.
+    /// This graph with the results of another one, whose indices are mapped by `moved`.
     pub(super) fn with_results_of(mut self, other: &Self, moved: impl Fn(Node) -> Node) -> Self {
         self.value = other.value.iter().map(|&node| moved(node)).collect();
         self.jacobian = other.jacobian.iter().map(|&node| moved(node)).collect();

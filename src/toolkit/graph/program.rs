@@ -1,4 +1,4 @@
-//! The operations of a graph as statements: what only one side of a choice needs is done on that side alone.
+//! The operations of a graph as statements: work that only one branch of a choice needs is done only there.
 
 use super::node::{Graph, Node, Op, Unary};
 use std::collections::{HashMap, HashSet};
@@ -8,31 +8,31 @@ use std::collections::{HashMap, HashSet};
 pub enum Statement {
     /// A result is computed from earlier ones.
     Compute(Node),
-    /// One of two sides is done.
+    /// One of two branches is executed.
     Choose {
-        /// The answer that decides.
+        /// The Boolean that decides.
         condition: Node,
-        /// What follows: a result, what it is where the answer is yes, and what it is where it is no.
+        /// The results of the choice, each with its value in the yes-branch and in the no-branch.
         results: Vec<[Node; 3]>,
-        /// What is done before, where the answer is yes.
+        /// The statements executed if the condition is true.
         yes: Vec<Statement>,
-        /// What is done before, where the answer is no.
+        /// The statements executed if the condition is false.
         no: Vec<Statement>,
     },
 }
 
-/// So many cheap operations are done on both sides rather than chosen by a jump.
+/// Up to this many cheap operations are done in both branches rather than behind a jump.
 const CHEAP: usize = 4;
 
 impl Graph {
-    /// What is to be done for these results, in order.
+    /// The statements that compute these results, in order.
     pub fn statements(&self, results: &[Node]) -> Vec<Statement> {
         let mut layout = Layout::placed(self, results);
         layout.dissolve_cheap();
         layout.statements(0)
     }
 
-    /// Whether it is an answer and no number.
+    /// Whether it is a Boolean rather than a number.
     pub fn is_answer(&self, node: Node) -> bool {
         match self.op(node) {
             Op::Compare(..) => true,
@@ -47,20 +47,20 @@ impl Graph {
     }
 }
 
-/// A block of statements: the whole, or a side of a choice in another block.
+/// A block of statements: the whole program, or a branch of a choice in another block.
 #[derive(Clone, Copy, Debug)]
 struct Block {
     parent: usize,
     depth: usize,
 }
 
-/// Results that one answer chooses in one block, none of which follows from another.
+/// Results chosen by one condition in one block, none of which depends on another.
 #[derive(Clone, Debug)]
 pub(super) struct Choice {
     pub(super) block: usize,
     pub(super) condition: Node,
     pub(super) selects: Vec<Node>,
-    /// The blocks of what is done where the answer is yes, and where it is no.
+    /// The blocks of the yes-branch and the no-branch.
     pub(super) sides: [usize; 2],
     dissolved: bool,
 }
@@ -69,14 +69,14 @@ pub(super) struct Layout<'a> {
     pub(super) graph: &'a Graph,
     blocks: Vec<Block>,
     pub(super) choices: Vec<Choice>,
-    /// The block of every operation that is needed; the first holds all others.
+    /// The block of every operation that is needed; the first block contains all others.
     pub(super) place: Vec<Option<usize>>,
     /// The choice that a select belongs to.
     pub(super) choice_of: HashMap<Node, usize>,
 }
 
 impl<'a> Layout<'a> {
-    /// Every operation that these results need in its place.
+    /// Places every operation that these results need.
     pub(super) fn placed(graph: &'a Graph, results: &[Node]) -> Self {
         let (blocks, place) = (vec![Block { parent: 0, depth: 0 }], vec![None; graph.ops().len()]);
         let mut layout = Self { graph, blocks, choices: Vec::new(), place, choice_of: HashMap::new() };
@@ -84,7 +84,7 @@ impl<'a> Layout<'a> {
         layout
     }
 
-    /// Places every operation in the innermost block that holds all its uses. Uses stand behind what they use.
+    /// Places every operation in the innermost block that contains all its uses. Uses come after what they use.
     fn place(&mut self, results: &[Node]) {
         let levels = self.graph.levels();
         let mut keys = HashMap::new();
@@ -125,7 +125,7 @@ impl<'a> Layout<'a> {
         *place = Some(place.map_or(block, |known| common(&self.blocks, known, block)));
     }
 
-    /// Does both sides of a choice where that is cheaper than a jump.
+    /// Does both branches of a choice where that is cheaper than a jump.
     fn dissolve_cheap(&mut self) {
         // Inner choices have larger indices than those around them.
         for choice in (0..self.choices.len()).rev() {
@@ -162,7 +162,7 @@ impl<'a> Layout<'a> {
         self.choice_of.get(&node).copied().filter(|&choice| !self.choices[choice].dissolved)
     }
 
-    /// The side of an outermost choice that holds a block, or the block of what is outside of choices.
+    /// The branch of an outermost choice that contains a block, or the block itself if it is outside all choices.
     pub(super) fn outermost(&self, mut block: usize) -> usize {
         while self.blocks[block].depth > 1 {
             block = self.blocks[block].parent;
@@ -170,7 +170,7 @@ impl<'a> Layout<'a> {
         block
     }
 
-    /// Whether a block is the other one or inside of it.
+    /// Whether a block is the other one or nested in it.
     fn is_within(&self, mut block: usize, outer: usize) -> bool {
         while self.blocks[block].depth > self.blocks[outer].depth {
             block = self.blocks[block].parent;
@@ -179,7 +179,7 @@ impl<'a> Layout<'a> {
     }
 }
 
-/// The innermost block that holds both.
+/// The innermost block that contains both.
 fn common(blocks: &[Block], mut a: usize, mut b: usize) -> usize {
     while a != b {
         if blocks[a].depth >= blocks[b].depth {
@@ -191,7 +191,7 @@ fn common(blocks: &[Block], mut a: usize, mut b: usize) -> usize {
     a
 }
 
-/// The statements of a block in an order in which nothing is used before it is there.
+/// The statements of a block, in an order in which nothing is used before it is computed.
 struct Schedule<'a> {
     layout: &'a Layout<'a>,
     block: usize,
@@ -200,7 +200,7 @@ struct Schedule<'a> {
 }
 
 impl Schedule<'_> {
-    /// Makes sure that a result is there, if this is the block to compute it.
+    /// Ensures that a result is computed, if this is the block to do so.
     fn require(&mut self, node: Node) {
         let layout = self.layout;
         let is_here = layout.place[node.index()] == Some(self.block);
@@ -255,7 +255,7 @@ mod tests {
     use super::*;
     use crate::toolkit::graph::node::Relation;
 
-    /// What is used before it is there.
+    /// The results that statements use before they are computed.
     fn early(graph: &Graph, statements: &[Statement], there: &mut HashSet<Node>) -> Vec<Node> {
         let missing = |there: &HashSet<Node>, node: &Node| !graph.is_atom(*node) && !there.contains(node);
         let mut early = Vec::new();
@@ -279,8 +279,8 @@ mod tests {
         early
     }
 
-    /// A choice is made for all of its results where the first of them is needed. What only the last of them takes was entered
-    /// after the first.
+    /// A choice is made for all of its results where the first of them is needed; an operation that only the last of
+    /// them uses was added after the first.
     #[test]
     fn what_a_choice_takes_is_there_before_it() {
         for is_yes in [true, false] {

@@ -1,4 +1,4 @@
-//! A formula, and why it may have no graph.
+//! Records the graph of a formula, or explains why there is none.
 
 use super::node::Graph;
 use super::recorder::{self, Escape, Extremes, Failure, MOST_RUNS};
@@ -17,15 +17,15 @@ use std::sync::{LazyLock, Mutex, OnceLock, PoisonError};
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum NotRecorded {
-    /// The value of a number that depends on the inputs leaves the graph.
+    /// The value of a number that depends on the inputs is requested as a double.
     Value,
     /// It calls a function that the graph does not know.
     Function(&'static str),
-    /// Its comparisons come out in more ways than this.
+    /// Its comparisons have more combinations of outcomes than this.
     Ways(usize),
-    /// It does not end whatever comparisons say.
+    /// It does not terminate, whatever the outcomes of comparisons.
     Endless,
-    /// It panics, whatever comparisons say.
+    /// It panics, whatever the outcomes of comparisons.
     Panics,
 }
 
@@ -46,26 +46,26 @@ impl std::error::Error for NotRecorded {}
 /// The graph of a formula.
 ///
 /// # Errors
-/// What in the formula cannot be written down.
+/// The reason why the formula cannot be recorded.
 pub fn record<F: Formula>() -> Result<Graph, NotRecorded> {
     record_with::<F>(Extremes::Computed)
 }
 
-/// The same, recorded once in a process and kept as long as it runs: where nothing is optimised, it takes seconds.
+/// The graph of a formula, recorded once per process and kept while it runs: in unoptimised builds recording takes seconds.
 pub(crate) fn recorded<F: Formula>() -> &'static Result<Graph, NotRecorded> {
     type Place = OnceLock<Result<Graph, NotRecorded>>;
     static GRAPHS: LazyLock<Mutex<HashMap<TypeId, &'static Place>>> = LazyLock::new(Mutex::default);
     let place = *GRAPHS.lock().unwrap_or_else(PoisonError::into_inner).entry(TypeId::of::<F>()).or_insert_with(|| {
-        // As many as there are formulas.
+        // One leak per formula.
         Box::leak(Box::default())
     });
     place.get_or_init(record::<F>)
 }
 
-/// The graph of a formula, and what becomes of extreme numbers in it.
+/// The graph of a formula with the given treatment of extreme numbers.
 ///
 /// # Errors
-/// What in the formula cannot be written down.
+/// The reason why the formula cannot be recorded.
 pub fn record_with<F: Formula>(extremes: Extremes) -> Result<Graph, NotRecorded> {
     let inputs = || traced::<F::Inputs<Traced>>();
     let results = || {
@@ -79,11 +79,11 @@ pub fn record_with<F: Formula>(extremes: Extremes) -> Result<Graph, NotRecorded>
     written(extremes, &|| F::validate(&inputs()), &results)
 }
 
-/// The graph of an element that rubs, or does not: its inputs are nodes, multipliers, start, contact and state, its results
-/// residuals, rows, forces, stiffness, derivative by the multipliers, and the state after.
+/// The graph of an element with or without friction: its inputs are nodes, multipliers, start, contact and state, its results
+/// residuals, rows, forces, stiffness, derivative with respect to the multipliers, and the state after the step.
 ///
 /// # Errors
-/// What in the element cannot be written down.
+/// The reason why the element cannot be recorded.
 pub fn record_element<E: Element<M, DOFS>, const M: usize, const DOFS: usize>(
     rubs: bool,
     extremes: Extremes,
@@ -103,7 +103,7 @@ fn traced<I: Fields<Traced>>() -> I {
     I::from_slice(&inputs).expect("so many were made")
 }
 
-/// The graph of what tells whether inputs are valid, and of what computes value and Jacobian.
+/// The graph of `validate`, value and Jacobian.
 fn written(
     extremes: Extremes,
     validate: &dyn Fn() -> Result<(), Error>,
@@ -125,13 +125,13 @@ fn written(
     Ok(graph.pruned().gathered())
 }
 
-/// 0 where the inputs are valid together, else the position of the error among all that there are, from 1.
+/// 0 if the inputs are valid together, else the position of the error among all errors, from 1.
 fn refusal(found: Result<(), Error>, errors: &RefCell<Vec<Error>>) -> f64 {
     let Err(error) = found else {
         no_value_was_asked();
         return 0.0;
     };
-    // An error tells values.
+    // An error contains values.
     recorder::has_asked();
     let mut errors = errors.borrow_mut();
     let position = errors.iter().position(|known: &Error| known.is_alike(&error));

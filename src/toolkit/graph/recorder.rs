@@ -1,4 +1,4 @@
-//! The graph that is being recorded on this thread, and how the comparisons of this run come out.
+//! The graph being recorded on this thread, and the outcomes of comparisons in the current run.
 
 use super::join::join;
 use super::node::{Binary, Graph, Node, Op, Relation};
@@ -10,9 +10,9 @@ thread_local! {
     static RECORDER: RefCell<Option<Recorder>> = const { RefCell::new(None) };
 }
 
-/// More runs than any formula needs that can be printed.
+/// More runs than any formula needs whose graph can be printed.
 pub(super) const MOST_RUNS: usize = 65_536;
-/// A run that takes more operations than any formula does not end.
+/// A run with more operations than any formula counts as endless.
 const MOST_OPERATIONS: usize = 200_000;
 
 /// The graph, and the run that is being recorded.
@@ -22,43 +22,43 @@ struct Recorder {
     run: Run,
     operations: usize,
     runs: usize,
-    /// Whether this run has asked for the value of something that depends on the inputs.
+    /// Whether this run has requested the value of something that depends on the inputs.
     asked: bool,
     extremes: Extremes,
 }
 
-/// What becomes of numbers that would over- or underflow.
+/// The treatment of numbers that would over- or underflow.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Extremes {
-    /// They are computed in another way, as a single point is.
+    /// They are computed by a separate branch, as for a single point.
     #[default]
     Computed,
-    /// They are NaN, as where several rows of a batch are computed at once.
+    /// They are NaN, as for several rows of a batch computed together.
     Nan,
 }
 
-/// How comparisons come out in a run.
+/// The outcomes of comparisons in a run.
 #[derive(Clone, Default)]
 struct Run {
-    /// How the first comparisons after the start come out; those after them hold.
+    /// The outcomes of the first comparisons after the start; later ones are true.
     script: Vec<bool>,
-    /// So many comparisons were decided before the start.
+    /// The number of comparisons decided before the start.
     start: usize,
-    /// The comparisons that were left open by those before, and how they came out.
+    /// The comparisons that earlier ones left open, and their outcomes.
     taken: Vec<(Node, bool)>,
     facts: FxHashMap<Node, bool>,
 }
 
-/// Why recording was given up.
+/// Why recording was aborted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Escape {
-    /// The value of something that depends on the inputs was asked for as a double.
+    /// The value of something that depends on the inputs was requested as a double.
     Value,
     /// A function was called that the graph does not know.
     Function(&'static str),
-    /// Comparisons come out in too many ways.
+    /// There are too many combinations of outcomes.
     Ways,
-    /// A run does not end.
+    /// A run does not terminate.
     Endless,
 }
 
@@ -68,7 +68,7 @@ pub(super) enum Failure {
     Panic,
 }
 
-/// Records runs, each with its comparisons in every possible way, into a new graph; and what they result in.
+/// Records a run for every combination of outcomes into a new graph, and returns the graph with the results.
 pub(super) fn record<const N: usize>(
     extremes: Extremes,
     runs: [&dyn Fn() -> Vec<Node>; N],
@@ -83,7 +83,7 @@ pub(super) fn record<const N: usize>(
     }
 }
 
-/// What `run` results in, its operations written behind those of a graph.
+/// Appends the operations of `run` to a graph and returns its result.
 pub(super) fn extended<T>(graph: &mut Graph, run: impl FnOnce() -> T) -> T {
     RECORDER.set(Some(Recorder { graph: std::mem::take(graph), ..Recorder::default() }));
     let results = run();
@@ -91,10 +91,10 @@ pub(super) fn extended<T>(graph: &mut Graph, run: impl FnOnce() -> T) -> T {
     results
 }
 
-/// The results of a side; `None` of one that nothing can reach, since the formula does not get through it.
+/// The results of a branch; `None` if it is unreachable, since the formula panics or does not terminate there.
 type Side = Option<Vec<Node>>;
 
-/// What `run` results in, with its comparisons in every way that those before leave open.
+/// The results of `run` over all outcomes of its comparisons that earlier ones leave open.
 pub(super) fn sides(run: &dyn Fn() -> Vec<Node>) -> Side {
     let before = with(|recorder| recorder.run.clone());
     let side = sides_from(run, &before, Vec::new());
@@ -102,7 +102,7 @@ pub(super) fn sides(run: &dyn Fn() -> Vec<Node>) -> Side {
     side
 }
 
-/// The same where the first comparisons come out as the script says.
+/// The same with the outcomes of the first comparisons given by the script.
 fn sides_from(run: &dyn Fn() -> Vec<Node>, before: &Run, script: Vec<bool>) -> Side {
     let decided = script.len();
     let runs = with(|recorder| {
@@ -134,13 +134,13 @@ fn sides_from(run: &dyn Fn() -> Vec<Node>, before: &Run, script: Vec<bool>) -> S
     side
 }
 
-/// The value of a number that depends on the inputs was asked for: NaN, which may only be told in an error.
+/// Records that the value of a number that depends on the inputs was requested; returns NaN, which may only appear in an error.
 pub(super) fn ask() -> f64 {
     with(|recorder| recorder.asked = true);
     f64::NAN
 }
 
-/// Whether that has happened since the last time.
+/// Whether this has happened since the last call.
 pub(super) fn has_asked() -> bool {
     with(|recorder| std::mem::take(&mut recorder.asked))
 }
@@ -149,7 +149,7 @@ pub(super) fn extremes() -> Extremes {
     with(|recorder| recorder.extremes)
 }
 
-/// Gives the run up.
+/// Aborts the run.
 pub(super) fn escape(escape: Escape) -> ! {
     resume_unwind(Box::new(escape))
 }
@@ -158,7 +158,7 @@ fn with<T>(f: impl FnOnce(&mut Recorder) -> T) -> T {
     RECORDER.with_borrow_mut(|recorder| f(recorder.as_mut().expect("a traced number lives while a graph is recorded")))
 }
 
-/// The place of a result.
+/// The index of a result.
 pub(super) fn enter(op: Op) -> Node {
     let (node, operations) = with(|recorder| {
         recorder.operations += 1;
@@ -171,13 +171,13 @@ pub(super) fn constant(node: Node) -> Option<f64> {
     with(|recorder| recorder.graph.constant(node))
 }
 
-/// How a comparison comes out in this run.
+/// The outcome of a comparison in this run.
 pub(super) fn decide(relation: Relation, x: Node, y: Node) -> bool {
     with(|recorder| recorder.decide(relation, x, y))
 }
 
 impl Graph {
-    /// As [`Graph::enter`], where a factor 1 and a term −0 are left out, which change no bit.
+    /// Like [`Graph::enter`], but omits factors of 1 and terms of −0, which change no bit.
     fn entered(&mut self, op: Op) -> Node {
         let is = |node, x: f64| self.constant(node).is_some_and(|c| c.to_bits() == x.to_bits());
         match op {
@@ -208,7 +208,7 @@ impl Recorder {
         holds
     }
 
-    /// What follows from the comparisons before; none of the numbers is NaN.
+    /// The outcome implied by earlier comparisons, if any; none of the numbers is NaN.
     fn known(&mut self, relation: Relation, x: Node, y: Node) -> Option<bool> {
         use Relation::{Equal, Less, LessOrEqual};
         let mut fact = |relation, x, y| {
@@ -244,7 +244,7 @@ mod tests {
 
     const ORDERS: [Ordering; 3] = [Less, Equal, Greater];
 
-    /// A comparison of x with y, or of y with x where it is swapped.
+    /// A comparison of x with y, or of y with x if swapped.
     #[derive(Clone, Copy)]
     struct Asked {
         relation: Relation,
@@ -257,7 +257,7 @@ mod tests {
             relations.into_iter().flat_map(|relation| [false, true].map(|swapped| Self { relation, swapped }))
         }
 
-        /// Whether it holds where x and y are in this order.
+        /// Whether it holds if x and y are in this order.
         fn holds(self, order: Ordering) -> bool {
             let order = if self.swapped { order.reverse() } else { order };
             match self.relation {
@@ -272,8 +272,8 @@ mod tests {
         }
     }
 
-    /// What is known of a comparison after others that came out as they do in one of these orders: whatever holds in all orders
-    /// that are left, and nothing else.
+    /// What is known of a comparison after two others: exactly what holds in all orders of x and y that are consistent
+    /// with their outcomes.
     #[test]
     fn what_follows_from_two_comparisons_is_known_and_nothing_else() {
         for (first, second) in Asked::all().flat_map(|first| Asked::all().map(move |second| (first, second))) {
@@ -310,7 +310,7 @@ mod tests {
         assert_eq!(same, [false, true, true]);
         assert!(!decide(Relation::Less, x, y) && decide(Relation::LessOrEqual, y, x));
         assert!(decide(Relation::Less, y, z) && !decide(Relation::LessOrEqual, z, y));
-        // Behind the script what is asked holds.
+        // After the script, comparisons are true.
         assert!(decide(Relation::Less, x, z));
         let answers: Vec<_> = recorder.run.taken.iter().map(|(_, answer)| *answer).collect();
         assert_eq!(answers, [false, true, true]);

@@ -1,4 +1,4 @@
-//! The operations of a graph, done in any number.
+//! Evaluates a graph in any number type.
 
 use super::node::{Binary, Graph, Node, Op, Relation, Search, Unary};
 use crate::Octuple;
@@ -6,7 +6,7 @@ use crate::number::scalar::{Leaf, abs, asin, atan2, exp_m1, norm};
 
 /// A number in which a graph can be computed.
 pub trait Number: Leaf {
-    /// What a search finds from these.
+    /// The result of a search from these numbers.
     fn found(search: &Search, numbers: &[Self]) -> Self;
 }
 
@@ -23,7 +23,7 @@ impl Number for Octuple {
 }
 
 impl Relation {
-    /// Whether it holds.
+    /// Whether the relation holds.
     pub fn holds<T: PartialOrd + Copy>(self, x: T, y: T) -> bool {
         match self {
             Self::Less => x < y,
@@ -34,7 +34,7 @@ impl Relation {
 }
 
 impl Unary {
-    /// The function.
+    /// The value of the function.
     pub fn of<T: Leaf>(self, x: T) -> T {
         match self {
             Self::Negative => -x,
@@ -51,7 +51,7 @@ impl Unary {
 }
 
 impl Binary {
-    /// The operation.
+    /// The result of the operation.
     pub fn of<T: Leaf>(self, x: T, y: T) -> T {
         match self {
             Self::Add => x + y,
@@ -75,7 +75,7 @@ impl Graph {
         (results(&self.value), results(&self.jacobian))
     }
 
-    /// The results of these operations, which stand in order; of all others NaN. An answer is 1 or 0.
+    /// The results of these operations, which must be in order; NaN for all others. Booleans are 1 or 0.
     ///
     /// # Panics
     /// If there are fewer components than the formula has.
@@ -89,7 +89,7 @@ impl Graph {
 }
 
 impl Op {
-    /// What it gives, from the inputs and the results that stand before it.
+    /// The result of the operation, from the inputs and earlier results.
     ///
     /// # Panics
     /// If there are fewer of either than it needs.

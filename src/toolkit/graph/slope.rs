@@ -1,10 +1,10 @@
-//! What a result of a graph depends on, and how it changes with the inputs.
+//! Dependencies and derivatives of the results of a graph.
 
 use super::node::{Binary, Graph, Node, Op, Unary};
 use crate::number::scalar::{Leaf, choice, sign};
 
 impl Graph {
-    /// All that these results are computed from, and they themselves, in order.
+    /// These results and all operations they are computed from, in order.
     pub fn needed(&self, results: &[Node]) -> Vec<Node> {
         let mut needed = vec![false; self.ops().len()];
         mark(&mut needed, results);
@@ -16,8 +16,8 @@ impl Graph {
         (0..needed.len()).filter(|&place| needed[place]).map(Node::at).collect()
     }
 
-    /// Of all operations, whether these results depend on it at a point: what stands on the side of a choice that is not
-    /// taken does not count. `all` are the results of the operations there.
+    /// For each operation, whether these results depend on it at a point: operations in a branch that is not taken do
+    /// not count. `all` are the results of all operations there.
     pub fn live<T: Leaf>(&self, results: &[Node], all: &[T]) -> Vec<bool> {
         let mut live = vec![false; self.ops().len()];
         mark(&mut live, results);
@@ -34,8 +34,8 @@ impl Graph {
         live
     }
 
-    /// The derivatives of a result by the inputs, of which there are so many. `needed` is all that it is
-    /// computed from, and `all` are the results.
+    /// The derivatives of a result with respect to the inputs, whose number is `inputs`. `needed` are all operations
+    /// it is computed from, and `all` are the results.
     pub fn gradient<T: Leaf>(&self, of: Node, needed: &[Node], all: &[T], inputs: usize) -> Vec<T> {
         let mut slopes = vec![T::zero(); all.len()];
         let mut gradient = vec![T::zero(); inputs];
@@ -67,7 +67,7 @@ fn mark(marked: &mut [bool], nodes: &[Node]) {
 }
 
 impl Op {
-    /// Its derivatives by its operands; it gives this result.
+    /// Its derivatives with respect to its operands, given its result.
     pub(crate) fn derivatives<T: Leaf>(&self, result: T, all: &[T]) -> Vec<T> {
         let at = |node: &Node| all[node.index()];
         let (zero, one, minus_one) = (T::zero(), T::one(), T::from(-1.0));
@@ -108,7 +108,7 @@ impl Op {
             Self::ExactSum(products) => {
                 products.iter().flat_map(|product| by_factors(product.each_ref().map(at))).collect()
             }
-            // What is found is a constant, to which a step of Newton's method adds the derivatives.
+            // The result of a search is a constant, to which a step of Newton's method adds the derivatives.
             Self::Input(_) | Self::Number(_) | Self::Compare(..) | Self::Select(..) | Self::Search(..) => {
                 vec![zero; self.operands().len()]
             }
@@ -116,7 +116,7 @@ impl Op {
     }
 }
 
-/// The derivatives of a product by its factors.
+/// The derivatives of a product with respect to its factors.
 fn by_factors<T: Leaf>([a, b, c, d]: [T; 4]) -> [T; 4] {
     [b * c * d, a * c * d, a * b * d, a * b * c]
 }

@@ -1,4 +1,4 @@
-//! A number that writes down what is done to it.
+//! A number that records the operations on it.
 
 use super::node::{self, Binary, Node, Op, Relation, Unary};
 use super::recorder::{Escape, Extremes, ask, constant, decide, enter, escape, extremes, sides};
@@ -11,9 +11,9 @@ use std::num::ParseFloatError;
 use std::ops::{Add, Div, Mul, Neg, Rem, Sub};
 use std::str::FromStr;
 
-/// A number of which only the place in the graph is known; it lives while [`record`](super::record) runs.
+/// A number of which only the index in the graph is known; it is valid while [`record`](super::record) runs.
 ///
-/// Its comparisons come out in every possible way, one after the other.
+/// Its comparisons take every possible outcome, one after the other.
 #[derive(Clone, Copy)]
 pub struct Traced(Place);
 
@@ -30,17 +30,17 @@ impl Traced {
         self.0.node()
     }
 
-    /// The value of a constant; nothing else has one, and a run that asks for it cannot be recorded.
+    /// The value of a constant; nothing else has a value, and a run that requests one cannot be recorded.
     pub(crate) fn to_f64(self) -> f64 {
         constant(self.node()).unwrap_or_else(ask)
     }
 }
 
-/// The place, with the operations that the numbers inside other scalars have.
+/// The index or constant, with the operations that the inner numbers of other scalars have.
 #[derive(Clone, Copy)]
 enum Place {
     Node(Node),
-    /// A constant, which is entered where it is used: there are some before anything is recorded.
+    /// A constant, which is added to the graph when it is used: some exist before recording starts.
     Number(f64),
 }
 
@@ -65,7 +65,7 @@ impl Place {
     }
 }
 
-/// What no formula does; the macros of scalars name it as methods.
+/// Methods that formulas never call but the macros of scalars name.
 #[expect(clippy::unused_self, reason = "the macros of scalars name them as methods")]
 impl Place {
     fn signum(self) -> Self {
@@ -144,7 +144,7 @@ impl PartialOrd for Traced {
     }
 }
 
-/// The functions of a number, by the names that they have in the standard library.
+/// The functions of a number, under their names in the standard library.
 mod function {
     use super::{Binary, Escape, Op, Place, Unary, escape};
 
@@ -237,7 +237,7 @@ impl Scalar for Traced {
     fn has_extremes() -> bool {
         extremes() == Extremes::Computed
     }
-    // Without extremes what is doubtful has no side of its own, and would be NaN everywhere.
+    // If extremes are NaN, so are uncertain results; without the test of the shortcut, all results would be uncertain.
     fn takes_shortcuts() -> bool {
         !Self::has_extremes()
     }

@@ -1,4 +1,4 @@
-//! Sums and products written into a graph, without those that 0, 1 and −1 make idle, and derivatives made of them.
+//! Writes sums and products into a graph, simplified for 0, 1 and −1, and derivatives made of them.
 
 use super::node::{Binary, Graph, Node, Op, Unary};
 use super::recorder::extended;
@@ -69,7 +69,7 @@ impl Graph {
         self.constant(node).is_some_and(|constant| constant.to_bits() == value.to_bits())
     }
 
-    /// The derivative of a result by another one, an input or what stands between.
+    /// The derivative of a result with respect to another one, an input or an intermediate result.
     pub(crate) fn derivative(&mut self, of: Node, by: Node) -> Node {
         let (zero, one) = (self.number(0.0), self.number(1.0));
         let all: Vec<_> = (0..self.ops().len()).map(|place| Traced::at(Node::at(place))).collect();
@@ -80,7 +80,7 @@ impl Graph {
         slopes[of.index()]
     }
 
-    /// The derivative of a result, by those of its operands.
+    /// The derivative of a result, from those of its operands.
     fn slope(&mut self, node: Node, slopes: &[Node], all: &[Traced], zero: Node) -> Node {
         let op = self.op(node).clone();
         let operands = op.operands();
@@ -104,7 +104,7 @@ impl Graph {
 mod tests {
     use super::*;
 
-    /// Of every operation that has one, the derivative as operations is the one in numbers.
+    /// For every operation that has a derivative, its symbolic form agrees with the numeric one.
     #[test]
     fn a_derivative_can_be_written() {
         let mut graph = Graph::default();

@@ -1,4 +1,4 @@
-//! Taking time: all ways take turns, round after round, so that a slow moment of the machine falls on all alike.
+//! Timing: all methods take turns in every round, so that a slow moment of the machine affects all alike.
 
 use super::exact::HardPoint;
 use super::{Measurement, Options, PointTime, Time};
@@ -8,40 +8,40 @@ use crate::formula::{Fields, typed};
 use std::hint::black_box;
 use std::time::Instant;
 
-/// Tells the time in nanoseconds from some moment on.
+/// Returns the time in nanoseconds since some fixed moment.
 pub(super) type Clock<'a> = &'a dyn Fn() -> f64;
 
-/// The clock of the machine, from now on.
+/// A clock of the machine that starts now.
 pub(super) fn clock() -> impl Fn() -> f64 {
     let start = Instant::now();
     move || start.elapsed().as_secs_f64() * 1e9
 }
 
-/// What is timed beside the ways.
+/// The references timed alongside the methods.
 const COPY: &str = "copy";
 const YARDSTICK: &str = "yardstick";
 
-/// The ways that are timed at every hard point too.
+/// The methods that are also timed at every hard point.
 const AT_HARD_POINTS: [&str; 2] = ["closed", "checked"];
 
-/// Where time is taken.
+/// The points at which time is measured.
 pub(super) struct Points {
-    /// Over all of them.
+    /// Timed as a whole.
     pub(super) random: Vec<Vec<f64>>,
-    /// At each alone.
+    /// Timed one by one.
     pub(super) hard: Vec<HardPoint>,
 }
 
-/// What is timed.
+/// A quantity to be timed.
 #[derive(Clone, Copy, PartialEq)]
 struct Task {
     way: &'static str,
     with_jacobian: bool,
-    /// The hard point; `None` over random points.
+    /// The hard point; `None` for the random points.
     hard: Option<usize>,
 }
 
-/// How long a turn is and how often it comes.
+/// The length and frequency of turns.
 #[derive(Clone, Copy)]
 struct Pace {
     points: usize,
@@ -56,15 +56,15 @@ impl Pace {
         Self { points: timing_points.max(1), turn_ns, every: 1, rounds }
     }
 
-    /// There are many hard points; each takes a short turn now and then.
+    /// For hard points, which are many, turns are shorter and less frequent.
     fn short(self) -> Self {
         Self { turn_ns: self.turn_ns / 8.0, every: 4, ..self }
     }
 }
 
-/// How far the stack has grown: to another place within a line of the cache, in another eighth of a page. Results lie on it. Where
-/// they cross lines some formulas take a third longer, and at the end of a page three times as long: turn by turn it is another
-/// place, so that a time is not of the one that a build or a process happens to have.
+/// Stack offsets, in another eighth of a page each and at another position within a cache line. Results lie on the stack, and
+/// some formulas take a third longer when a result straddles a cache line, and three times as long at the end of a page. The
+/// offset changes from turn to turn, so that times do not depend on that of a particular build or process.
 const PLACES: [fn(&mut dyn FnMut()); 8] = [
     with_room::<0>,
     with_room::<528>,
@@ -76,7 +76,7 @@ const PLACES: [fn(&mut dyn FnMut()); 8] = [
     with_room::<3696>,
 ];
 
-/// Runs with so many bytes more on the stack.
+/// Runs with BYTES more bytes on the stack.
 #[inline(never)]
 fn with_room<const BYTES: usize>(run: &mut dyn FnMut()) {
     let mut room = [0_u8; BYTES];
@@ -85,16 +85,16 @@ fn with_room<const BYTES: usize>(run: &mut dyn FnMut()) {
     black_box(&mut room);
 }
 
-/// A loop that takes its turn in every round, or in every n-th where a turn is long.
+/// A loop that takes a turn in every round, or in every n-th if its turns are long.
 struct Contestant {
     task: Task,
     run: Runner,
-    /// Points a call of the loop, and calls a turn.
+    /// Points per call of the loop, and calls per turn.
     points: usize,
     calls: usize,
-    /// Takes part in every so-manieth round.
+    /// Takes part in every n-th round.
     every: usize,
-    /// Nanoseconds an evaluation, with the round.
+    /// Nanoseconds per evaluation, with the round.
     samples: Vec<(usize, f64)>,
 }
 
@@ -113,7 +113,7 @@ pub(super) fn time(
         contestants.push(Contestant::new(task, run, pace, clock));
     }
     for round in 0..options.rounds.max(1) {
-        // Each round begins with another one, so that none always follows the same neighbour's caches.
+        // Each round starts with another contestant, so that none always inherits the caches of the same neighbour.
         let first = round % contestants.len();
         let (head, tail) = contestants.split_at_mut(first);
         tail.iter_mut().chain(head).for_each(|contestant| contestant.take_turn(round, clock));
@@ -121,7 +121,7 @@ pub(super) fn time(
     enter(&contestants, &points.hard, measurement);
 }
 
-/// The value and the Jacobian of a way, over random points and at hard ones.
+/// The value and the Jacobian of a method, over random points and at hard ones.
 fn of_way(way: &Way, points: &Points, pace: Pace, clock: Clock) -> Vec<Contestant> {
     let mut contestants = Vec::new();
     for (kernel, with_jacobian) in [(&way.value, false), (&way.jacobian, true)] {
@@ -130,7 +130,7 @@ fn of_way(way: &Way, points: &Points, pace: Pace, clock: Clock) -> Vec<Contestan
         contestants.push(Contestant::new(task, (kernel.runner)(&points.random), pace, clock));
         if AT_HARD_POINTS.contains(&way.id) {
             contestants.extend(points.hard.iter().enumerate().map(|(k, point)| {
-                // The same loop as over random points, whose every point is this one.
+                // The same loop as over random points, with every point equal to this one.
                 let run = (kernel.runner)(&vec![point.inputs.clone(); pace.points]);
                 Contestant::new(Task { hard: Some(k), ..task }, run, pace.short(), clock)
             }));
@@ -140,7 +140,7 @@ fn of_way(way: &Way, points: &Points, pace: Pace, clock: Clock) -> Vec<Contestan
 }
 
 impl Contestant {
-    /// Finds how many evaluations fill a turn; that warms it up as well.
+    /// Determines how many evaluations fill a turn, which also warms it up.
     fn new(task: Task, run: Runner, pace: Pace, clock: Clock) -> Self {
         let Pace { points: all, turn_ns, every, rounds } = pace;
         let mut contestant = Self { task, run, points: 1, calls: 1, every, samples: Vec::new() };
@@ -155,23 +155,23 @@ impl Contestant {
             contestant.points = whole(turn_ns / call).min(all);
             contestant.calls = 1;
         }
-        // A turn that is long even with one evaluation comes less often, but never fewer than five times.
+        // A contestant whose turn is long even with one evaluation takes part less often, but at least five times.
         let long = whole(one / turn_ns / 4.0);
         contestant.every = long.min(rounds / 5).max(every);
         contestant
     }
 
-    /// The least of some turns: the first is cold, and another may be interrupted.
+    /// The shortest of several turns: the first is cold, and others may be interrupted.
     fn least(&mut self, clock: Clock) -> f64 {
         (0..4).map(|turn| self.turn(turn, clock)).fold(f64::INFINITY, f64::min)
     }
 
-    /// Nanoseconds an evaluation in its n-th turn.
+    /// Nanoseconds per evaluation in its n-th turn.
     fn turn(&mut self, n: usize, clock: Clock) -> f64 {
         let mut time = 0.0;
         PLACES[n % PLACES.len()](&mut || {
             if self.calls > 1 {
-                // Its code and its points are back in the caches, from which others had pushed them.
+                // Brings its code and its points back into the caches, from which other contestants have evicted them.
                 (self.run)(self.points);
             }
             let start = clock();
@@ -188,7 +188,7 @@ impl Contestant {
         }
     }
 
-    /// Its time in units of another one's, round by round.
+    /// Its time relative to that of another contestant, round by round.
     fn ratios(&self, unit: &Self) -> Vec<f64> {
         let unit_in = |round| unit.samples.iter().find(|sample| sample.0 == round);
         let ratio = |&(round, time): &(usize, f64)| Some(time / unit_in(round)?.1);
@@ -205,13 +205,13 @@ fn number(count: usize) -> f64 {
     count as f64
 }
 
-/// The count below, at least 1.
+/// Rounded down, but at least 1.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped")]
 fn whole(x: f64) -> usize {
     x.clamp(1.0, 1e9) as usize
 }
 
-/// Puts the times where they belong.
+/// Stores the times in the measurement.
 fn enter(contestants: &[Contestant], hard: &[HardPoint], measurement: &mut Measurement) {
     let find = |way: &str, with_jacobian, hard| {
         let is_it = |task: Task| task.way == way && task.with_jacobian == with_jacobian && task.hard == hard;
@@ -239,7 +239,7 @@ fn enter(contestants: &[Contestant], hard: &[HardPoint], measurement: &mut Measu
     measurement.yardstick = find(YARDSTICK, false, None).and_then(Contestant::time);
 }
 
-/// What is timed beside the ways, over these points.
+/// The references timed alongside the methods, over these points.
 pub(super) fn beside<F: Proved>(points: &Points) -> [Runner; 2] {
     [(copy::<F>().runner)(&points.random), yardstick()]
 }
@@ -263,7 +263,7 @@ fn yardstick() -> Runner {
     })
 }
 
-/// A chain of multiplications, divisions and square roots, each waiting for the one before.
+/// A chain of multiplications, divisions and square roots, each of which depends on the previous one.
 fn chain(x: f64) -> f64 {
     (0..4).fold(x, |x, _| (x * 1.5 + 1.0 / x).sqrt())
 }

@@ -1,5 +1,5 @@
-//! Many points at once, columns in and columns out: a batch on one thread and on all, beside a program's loop over the same
-//! columns, and beside what memory allows.
+//! Many points at once, in columns: a batch on one thread and on all, compared with a plain loop over the same columns
+//! and with the memory bandwidth.
 
 use super::options::random;
 use super::{Columns, Options, Time};
@@ -13,22 +13,22 @@ use ndarray::Array2;
 use rayon::prelude::*;
 use std::hint::black_box;
 
-/// Points that the columns repeat: so many that a processor does not learn their branches by heart.
+/// The number of distinct points in the columns: enough that the branch predictor cannot memorise them.
 const POINTS: usize = 1024;
-/// As many rows are there at least.
+/// The least number of rows.
 const LEAST: usize = 256;
-/// A turn is long: each comes once in so many rounds.
+/// Turns are long: each takes place in one of this many rounds.
 const EVERY: usize = 12;
 
-/// Tells the time in nanoseconds, on any thread.
+/// Returns the time in nanoseconds, on any thread.
 type Clock<'a> = &'a (dyn Fn() -> f64 + Sync);
 
-/// What is timed of a formula. It is by pointers, so that all that times it is compiled once.
+/// The work timed for a formula, as function pointers, so that the timing code is compiled only once.
 #[derive(Clone, Copy)]
 struct Work {
     inputs: usize,
     outputs: usize,
-    /// Results a row.
+    /// Results per row.
     results: usize,
     batch: Batch,
     looped: Looped,
@@ -49,7 +49,7 @@ impl Work {
 type Batch = fn(&[ArrayView1<f64>], &mut [ArrayViewMut1<f64>], &mut [ArrayViewMut1<f64>]) -> Result<(), Error>;
 type Looped = fn(&[&[f64]], &mut [&mut [f64]]) -> usize;
 
-/// Times value and Jacobian over columns, all taking turns.
+/// Times value and Jacobian over columns, with all methods taking turns.
 pub(super) fn time<F: Proved>(options: &Options, clock: Clock) -> Option<Columns> {
     let points = random(&Subject::of::<F>(), options.seed, POINTS);
     timed(Work::of::<F>(), &points, options, clock)
@@ -92,7 +92,7 @@ fn one_thread() -> Option<rayon::ThreadPool> {
     rayon::ThreadPoolBuilder::new().num_threads(1).build().ok()
 }
 
-/// How long a row takes the second time: the first brings the columns to the caches of the processor that works.
+/// The time per row in a second pass: the first one loads the columns into the caches of the processor in use.
 #[expect(clippy::cast_precision_loss, reason = "rows are far below 2^53")]
 fn a_row(rows: usize, clock: Clock, mut work: impl FnMut()) -> f64 {
     work();
@@ -101,7 +101,7 @@ fn a_row(rows: usize, clock: Clock, mut work: impl FnMut()) -> f64 {
     (clock() - start) / rows as f64
 }
 
-/// Columns of inputs and results, and as many bytes to be copied.
+/// Columns of inputs and results, and the same number of bytes to be copied.
 struct Tables {
     inputs: Array2<f64>,
     results: Array2<f64>,
@@ -116,7 +116,7 @@ impl Tables {
             column.iter_mut().zip(points.iter().cycle()).for_each(|(x, point)| *x = point[k]);
         }
         let mut results = columns(numbers - points[0].len(), rows);
-        // Memory that was never written is not there yet.
+        // Pages that were never written are not yet allocated.
         results.fill(1.0);
         let half = rows * numbers / 2;
         Self { inputs, results, from: vec![1.0; half], to: vec![2.0; half] }
@@ -126,7 +126,7 @@ impl Tables {
         let inputs: Vec<_> = self.inputs.rows().into_iter().collect();
         let mut results: Vec<_> = self.results.rows_mut().into_iter().collect();
         let (value, jacobian) = results.split_at_mut(work.outputs);
-        // A row that is refused is a row, too.
+        // Rejected rows count too.
         let _ = black_box((work.batch)(black_box(&inputs), value, jacobian));
         black_box(&mut self.results);
     }
@@ -147,7 +147,7 @@ impl Tables {
     }
 }
 
-/// What a program does without batches: the checked call at every row. Tells how many rows are refused.
+/// A program without batches: the checked call at every row. Returns the number of rejected rows.
 #[inline(never)]
 fn looped<F: Proved>(inputs: &[&[f64]], results: &mut [&mut [f64]]) -> usize {
     let inputs = &inputs[..F::Inputs::<f64>::LEN];
@@ -199,19 +199,19 @@ mod tests {
         assert_eq!(results, [[9.0, 16.0], [6.0, -8.0]]);
     }
 
-    /// The loop, a batch on one thread and on all, and copying on one and on all, round by round.
+    /// The loop, a batch on one thread and on all, and copying on one thread and on all, round by round.
     #[test]
     fn every_ratio_is_of_times_of_its_own() {
         // Two inputs, one output, and its two derivatives.
         let bytes = 5 * 8;
         for (column_bytes, rows) in [(bytes * 300, 300), (bytes, 256)] {
-            // A turn in twelve rounds, and one in what is left.
+            // One turn within the first twelve rounds, and another in the rest.
             let options = Options { column_bytes, rounds: 25, ..Options::quick() };
             let (took, factors) = ([14.0, 7.0, 3.5, 2.0, 0.5], [1.0, 3.0, 5.0]);
             let turns = factors
                 .iter()
                 .flat_map(|factor| took.map(|took| took * factor * f64::from(u16::try_from(rows).unwrap())));
-            // Time passes from the first time that it is asked for to the second.
+            // The clock advances between the first and the second reading.
             let state = Mutex::new((0.0, turns.flat_map(|turn| [0.0, turn]).collect::<Vec<_>>().into_iter()));
             let clock = || {
                 let mut state = state.lock().unwrap();
@@ -252,7 +252,7 @@ mod tests {
             let mut tables = Tables::new(&points, 4, 5);
             run(&mut tables, Work::of::<ContactForce>());
             for (row, expected) in tables.results.columns().into_iter().zip(expected) {
-                // What is refused is not written, or is written as NaN.
+                // Results of rejected rows are not written, or written as NaN.
                 assert!(
                     row.iter().zip(expected).all(|(x, y)| *x == y || x.is_nan() && y == 1.0),
                     "{row}: {expected:?}"

@@ -1,4 +1,4 @@
-//! Jacobians by differences in `f64`, as a program without derivatives computes them.
+//! Jacobians by finite differences in `f64`, as in programs without derivatives.
 
 use crate::formula::{Array, from_array, jacobian_of, no_rows, to_array};
 use crate::formula::{Fields, Formula, ValueAndJacobian};
@@ -18,10 +18,10 @@ pub enum Scheme {
 }
 
 impl Scheme {
-    /// All of them.
+    /// All schemes.
     pub const ALL: [Self; 3] = [Self::Forward, Self::Central, Self::Fourth];
 
-    /// The identifier of the way.
+    /// The identifier of the method.
     pub const fn id(self) -> &'static str {
         match self {
             Self::Forward => "forward",
@@ -30,7 +30,7 @@ impl Scheme {
         }
     }
 
-    /// What it is.
+    /// The title of the method.
     pub const fn title(self) -> &'static str {
         match self {
             Self::Forward => "forward differences",
@@ -39,8 +39,8 @@ impl Scheme {
         }
     }
 
-    /// Value and Jacobian of `F`. The step is `relative_step` times the size of the field that an input belongs to, or
-    /// times 1 where that is zero, and a difference of two doubles.
+    /// Value and Jacobian of `F`. The step is `relative_step` times the size of the field to which an input belongs,
+    /// or times 1 if that is zero; it is the difference of two doubles.
     #[inline]
     pub(super) fn value_and_jacobian<F: Formula>(
         self,
@@ -75,7 +75,7 @@ impl Scheme {
         here: &F::Outputs<f64>,
     ) -> Array<F::Outputs<f64>> {
         let at = x.as_ref()[k];
-        // What is added to `at` indeed.
+        // The step actually taken after rounding.
         let h = (at + step) - at;
         let mut value = |moved: f64| {
             x.as_mut()[k] = moved;
@@ -96,13 +96,13 @@ impl Scheme {
     }
 }
 
-/// A call of its own, as it is where the formula is somebody else's; and compiled once, not once a term of every scheme.
+/// A separate call, as for a formula in another library; and compiled once, not once per term of every scheme.
 #[inline(never)]
 fn evaluate<F: Formula>(x: &Array<F::Inputs<f64>>) -> F::Outputs<f64> {
     F::eval(&from_array(x))
 }
 
-/// One function of several outputs, component by component.
+/// Applies a function of several outputs component by component.
 #[inline]
 fn combine<F: Formula, const N: usize>(
     outputs: [&F::Outputs<f64>; N],
@@ -150,7 +150,8 @@ mod tests {
         }
     }
 
-    /// Of a square the forward difference is off by the step, which is a part of the largest component of its input: all is exact.
+    /// For a square, the error of the forward difference is the step itself, a fraction of the largest component of
+    /// its input: all is exact.
     #[test]
     fn a_step_is_a_part_of_the_largest_component_of_an_input() {
         let entries =
@@ -166,7 +167,7 @@ mod tests {
         // Steps of 1/8 and 1/16.
         let small = [[0.5 + 0.125, -1.0, 0.0], [0.0, 0.0625, -0.25 - 0.5 * 0.0625]];
         assert_eq!(forward([0.25, -0.5], 0.25), ([0.5625, -0.03125], small));
-        // At 0 a quarter.
+        // At 0 the step is a quarter.
         assert_eq!(forward([0.0, 0.0], 0.0), ([0.0, 0.0], [[0.25, -1.0, 0.0], [0.0; 3]]));
         for scheme in [Scheme::Central, Scheme::Fourth] {
             let inputs = Inputs { p: Vector2::new(-4.0, 2.0), q: -8.0 };
@@ -175,13 +176,13 @@ mod tests {
         }
     }
 
-    /// Truncation falls with the order of the scheme: h, h², h⁴.
+    /// The truncation error decreases with the order of the scheme: h, h², h⁴.
     #[test]
     fn every_scheme_has_its_order() {
         let i = CrossForces { f2: 3.0, f3: 4.0 };
         let error = |scheme: Scheme, step| (scheme.value_and_jacobian::<ContactForce>(step, &i).1.fc.f2 - 0.6).abs();
         for (scheme, order) in Scheme::ALL.into_iter().zip([1, 2, 4]) {
-            // At smaller steps the rounding of the fourth order shows.
+            // At smaller steps, rounding becomes visible in the fourth-order scheme.
             let gain = error(scheme, 1e-1) / error(scheme, 1e-2);
             let expected = 10.0_f64.powi(order);
             assert!((0.5 * expected..2.0 * expected).contains(&gain), "{}: {gain}", scheme.id());

@@ -1,4 +1,4 @@
-//! The points at which errors are found, with the exact value and Jacobian there.
+//! The points at which errors are measured, with the exact value and Jacobian there.
 
 use super::options::random;
 use super::{Errors, Options};
@@ -22,13 +22,13 @@ impl Points {
     }
 }
 
-/// A hard point by its name.
+/// A hard point with its name.
 pub(super) struct HardPoint {
     pub(super) case: String,
     pub(super) inputs: Vec<f64>,
 }
 
-/// The cases flagged hard, and points beside every kink and on it, as far as they are valid.
+/// The cases flagged hard, and points on and near every kink, as far as they are valid.
 pub(super) fn hard(subject: &Subject) -> Vec<HardPoint> {
     let cases = (subject.cases)().into_iter().filter(|case| case.flag == Flag::Hard);
     let cases = cases.map(|case| HardPoint { case: case.id, inputs: case.inputs });
@@ -37,19 +37,19 @@ pub(super) fn hard(subject: &Subject) -> Vec<HardPoint> {
 }
 
 impl HardPoint {
-    /// Whether every number is of a size that models have: zero, or so far from the ends of the exponent range that a
-    /// square of it stays within.
+    /// Whether every number has a size that occurs in models: zero, or so far from the limits of the exponent range
+    /// that its square is representable.
     pub(super) fn is_ordinary(&self) -> bool {
         self.inputs.iter().all(|x| *x == 0.0 || (1e-100..=1e100).contains(&x.abs()))
     }
 }
 
-/// A point, and what is right there.
+/// A point, with the exact results there.
 pub(super) struct Point {
     pub(super) inputs: Vec<f64>,
     /// Output by output.
     pub(super) value: Vec<Exact>,
-    /// Output by output, each over all inputs; `None` where the formula has no derivative.
+    /// Output by output, each over all inputs; `None` if the formula has no derivative here.
     pub(super) jacobian: Option<Vec<Exact>>,
 }
 
@@ -70,11 +70,11 @@ impl Point {
     }
 }
 
-/// An exact number, prepared so that the error of a double against it is found by a few operations.
+/// An exact number, prepared so that the error of a double is computed by a few operations.
 pub(super) struct Exact {
     number: Octuple,
     sensitivity: Sensitivity,
-    /// The nearest double, what is left over, and the size that η refers to; `None` at the ends of the exponent range,
+    /// The nearest double, the remainder, and the size that η refers to; `None` at the limits of the exponent range,
     /// where doubles lose digits.
     near: Option<(f64, f64, f64)>,
 }
@@ -99,7 +99,7 @@ impl Exact {
         if difference == 0.0 {
             return (0.0, 0.0);
         }
-        // In this order neither a subnormal difference nor a huge one leaves the range.
+        // In this order of divisions, neither subnormal nor huge differences leave the range.
         let eta = if difference < size { difference / U / size } else { difference / size / U };
         let largest = if near.abs() > computed.abs() { near } else { computed };
         let finite = |x: f64| if x.is_nan() { f64::INFINITY } else { x };
@@ -107,7 +107,7 @@ impl Exact {
     }
 }
 
-/// The errors of computed numbers at points, each point counting by the worst of its numbers.
+/// The errors of computed numbers at points; each point counts with its worst number.
 pub(super) fn errors<'a>(points: impl IntoIterator<Item = (&'a Vec<Exact>, Vec<f64>)>) -> Errors {
     Errors::of(points.into_iter().map(|(exact, computed)| {
         let errors = exact.iter().zip(computed).map(|(exact, computed)| exact.error(computed));
@@ -119,7 +119,7 @@ pub(super) fn errors<'a>(points: impl IntoIterator<Item = (&'a Vec<Exact>, Vec<f
 mod tests {
     use super::*;
 
-    /// The quick path must say what the exact one says.
+    /// The quick computation must agree with the exact one.
     #[test]
     fn errors_by_doubles_are_those_by_237_bits() {
         let third = Octuple::from(1.0) / 3.0;
@@ -152,7 +152,7 @@ mod tests {
         }
     }
 
-    /// A number that no double is near is not zero, and an error against zero has no size to be measured by.
+    /// A number far below all doubles is not zero, and an error relative to zero is undefined.
     #[test]
     fn what_is_nearly_zero_is_not_taken_for_it() {
         let sensitivity = Sensitivity::new(&[Octuple::from(1.0)], &[Octuple::from(1.0)]);
@@ -187,12 +187,12 @@ mod tests {
         }
     }
 
-    /// A point counts by the worst of its numbers, in each measure apart.
+    /// A point counts with its worst number, separately in each measure.
     #[test]
     fn errors_are_of_points() {
         let sensitivity = Sensitivity::new(&[Octuple::from(1.0)], &[Octuple::from(3.0)]);
         let point = vec![Exact::new(1.0.into(), Sensitivity::none()), Exact::new(1.0.into(), sensitivity)];
-        // The size of the first number is 1, of the second 4.
+        // The first number has size 1, the second 4.
         let found = errors([(&point, vec![1.0 + 4.0 * U, 1.0 + 8.0 * U]), (&point, vec![1.0, f64::NAN])]);
         assert_eq!((found.points, found.not_finite), (2, 1));
         assert!((found.eta.max - 4.0).abs() < 1e-12 && (found.relative / (8.0 * U) - 1.0).abs() < 1e-12, "{found:?}");

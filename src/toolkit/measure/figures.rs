@@ -1,4 +1,4 @@
-//! What a measurement says, as plain data.
+//! The results of a measurement, as plain data.
 
 use super::Scheme;
 use schemars::JsonSchema;
@@ -32,8 +32,8 @@ pub struct Measurement {
 }
 
 impl Measurement {
-    /// With the rounds of another measurement of the same formula: medians are halfway between both, and the spread
-    /// holds either.
+    /// Merges the rounds of another measurement of the same formula: medians are the mean of both, and the spread
+    /// covers both.
     #[must_use]
     pub fn and(mut self, other: &Self) -> Self {
         for (ours, theirs) in self.ways.iter_mut().zip(&other.ways) {
@@ -49,7 +49,7 @@ impl Measurement {
         self
     }
 
-    /// The way of this identifier.
+    /// The method with this identifier.
     pub fn way(&self, id: &str) -> Option<&WayFigures> {
         self.ways.iter().find(|way| way.id == id)
     }
@@ -138,7 +138,7 @@ impl Figures {
         ordinary.max_by(|a, b| a.ratio.median.total_cmp(&b.ratio.median))
     }
 
-    /// With the rounds of another measurement of the same.
+    /// Merges the rounds of another measurement of the same.
     fn and(&mut self, other: &Self) {
         self.time = Time::of_both(self.time, other.time);
         self.ratio = Time::of_both(self.ratio, other.ratio);
@@ -228,7 +228,7 @@ impl From<Quantiles> for [f64; 3] {
     }
 }
 
-/// How many the steps of differences span.
+/// The number of decades that the steps of differences span.
 const DECADES: usize = 14;
 
 /// Error of a scheme of differences over its step.
@@ -244,7 +244,7 @@ pub struct Curve {
 }
 
 impl Curve {
-    /// So many steps a decade from 1e-2 down to 1e-16, in units of the input's size.
+    /// Steps of differences, `per_decade` for each decade from 1e-2 down to 1e-16, in units of the input's size.
     pub fn steps(per_decade: usize) -> impl Iterator<Item = f64> {
         #[expect(clippy::cast_precision_loss, reason = "a few steps")]
         let step = move |k: usize| 10.0_f64.powf(-2.0 - k as f64 / per_decade as f64);

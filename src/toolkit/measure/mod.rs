@@ -1,6 +1,6 @@
-//! How fast and how wrong: every way to compute a formula, timed and compared with the exact value.
+//! Speed and error: every method of computing a formula, timed and compared with the exact value.
 //!
-//! | way | value | Jacobian |
+//! | method | value | Jacobian |
 //! |---|---|---|
 //! | `closed` | `eval` in `f64` | `jacobian` in `f64` |
 //! | `checked` | [`value`](crate::formula::value), as a program calls it | [`value_and_jacobian`](crate::formula::value_and_jacobian) |
@@ -11,11 +11,11 @@
 //! | `octuple-ad` | | automatic differentiation in 237 bits, rounded |
 //! | the formula's own, see [`Proved::ways`] | as given | its automatic differentiation in `f64` |
 //!
-//! Many points at once are timed apart, see [`Columns`].
+//! Batches of many points are timed separately, see [`Columns`].
 //!
-//! Errors are the same on every machine with the same mathematical library; they are found first, and may be found for
-//! many formulas at once. Times want a machine that does nothing else. They are taken over random points, and of `closed` and
-//! `checked` at every hard point alone too: see [`Figures::hardest`].
+//! Errors are the same on every machine with the same mathematical library; they are measured first, and can be
+//! measured for many formulas in parallel. Timing requires an otherwise idle machine. It is done over random points,
+//! and for `closed` and `checked` also at every single hard point: see [`Figures::hardest`].
 //!
 //! ```
 //! use jointproof::toolkit::measure::{Options, measure};
@@ -51,7 +51,7 @@ pub fn measure<F: Proved>(options: &Options) -> Measurement {
     measurement
 }
 
-/// The errors of every way; times are still missing.
+/// The errors of every method; times are still missing.
 pub fn errors<F: Proved>(options: &Options) -> Measurement {
     let subject = Subject::of::<F>();
     let points = exact::Points::new(&subject, options);
@@ -79,7 +79,7 @@ fn measured(subject: &Subject, points: &exact::Points, ways: &[Way], curves: Vec
     }
 }
 
-/// Times every way of a measurement whose errors are known.
+/// Times every method of a measurement whose errors are known.
 pub fn times<F: Proved>(options: &Options, measurement: &mut Measurement) {
     let ways = ways::all::<F>(&measurement.curves);
     let points = clock::Points { random: options.timing_inputs::<F>(), hard: exact::hard(&Subject::of::<F>()) };

@@ -1,4 +1,4 @@
-//! How much to measure.
+//! The extent of a measurement.
 
 use crate::formula::proof::Proved;
 use crate::toolkit::verify::{Sampler, Subject};
@@ -27,7 +27,7 @@ pub struct Options {
 }
 
 impl Options {
-    /// About a tenth of a second for a formula.
+    /// About a tenth of a second per formula.
     pub const fn quick() -> Self {
         Self {
             seed: 1,
@@ -40,7 +40,7 @@ impl Options {
         }
     }
 
-    /// Some seconds for a formula.
+    /// Several seconds per formula.
     pub const fn full() -> Self {
         Self {
             seed: 1,
@@ -49,12 +49,12 @@ impl Options {
             steps_per_decade: 4,
             rounds: 301,
             turn_ns: 300e3,
-            // More than the caches of most processors hold.
+            // More than the caches of most processors.
             column_bytes: 1 << 27,
         }
     }
 
-    /// The points over which time is taken, by components.
+    /// The points used for timing, as components.
     pub fn timing_inputs<F: Proved>(&self) -> Vec<Vec<f64>> {
         random(&Subject::of::<F>(), self.seed, self.timing_points)
     }
@@ -70,7 +70,7 @@ pub(super) fn random(subject: &Subject, seed: u64, count: usize) -> Vec<Vec<f64>
 mod tests {
     use super::Options;
 
-    /// As `report --help` and the book say.
+    /// As stated in `report --help` and in the book.
     #[test]
     fn as_much_is_measured_as_is_said() {
         let [quick, full] = [Options::quick(), Options::full()];

@@ -1,8 +1,8 @@
-//! Medians and other quantiles of what was measured.
+//! Medians and other quantiles of measurements.
 
 use super::{Errors, Quantiles, Time};
 
-/// The smallest number that at least `fraction` of the sorted numbers do not exceed; 0 of none.
+/// The smallest number that at least `fraction` of the sorted numbers do not exceed; 0 if there are none.
 fn quantile(sorted: &[f64], fraction: f64) -> f64 {
     #[expect(
         clippy::cast_precision_loss,
@@ -16,7 +16,7 @@ fn quantile(sorted: &[f64], fraction: f64) -> f64 {
 }
 
 impl Quantiles {
-    /// Of numbers in any order.
+    /// From numbers in any order.
     pub(super) fn of(mut errors: Vec<f64>) -> Self {
         errors.sort_by(f64::total_cmp);
         let at = |fraction| quantile(&errors, fraction);
@@ -25,7 +25,7 @@ impl Quantiles {
 }
 
 impl Time {
-    /// Of samples in any order; `None` of none.
+    /// From samples in any order; `None` if there are none.
     pub(super) fn of(mut samples: Vec<f64>) -> Option<Self> {
         samples.sort_by(f64::total_cmp);
         let at = |fraction| quantile(&samples, fraction);
@@ -34,7 +34,7 @@ impl Time {
 }
 
 impl Errors {
-    /// From η and the relative error at each point; a point where either is infinite is counted apart.
+    /// From η and the relative error at each point; points where either is infinite are counted separately.
     pub(super) fn of(points: impl IntoIterator<Item = (f64, f64)>) -> Self {
         let (mut etas, mut relatives, mut not_finite) = (Vec::new(), Vec::new(), 0);
         for (eta, relative) in points {

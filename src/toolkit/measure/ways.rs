@@ -1,4 +1,4 @@
-//! Every way to compute a formula: the closed form in several numbers, derivatives by other means, and its own.
+//! Every method of computing a formula: the closed form in several number types, derivatives by other means, and its own.
 
 use super::exact::{self, Exact, Point, Points};
 use super::{Curve, Errors, Figures, Options, Scheme, WayFigures};
@@ -9,7 +9,7 @@ use crate::toolkit::verify::{Subject, exact, rounded};
 use crate::{Octuple, Single};
 use std::hint::black_box;
 
-/// Every way to compute `F`, the closed form first.
+/// Every method of computing `F`, the closed form first.
 pub(super) fn all<F: Proved>(curves: &[Curve]) -> Vec<Way> {
     let mut ways = vec![closed::<F>(), checked::<F>(), single::<F>(), ad::<F>()];
     for (scheme, step) in best(curves) {
@@ -25,7 +25,7 @@ fn best(curves: &[Curve]) -> Vec<(Scheme, f64)> {
     curves.iter().filter_map(|curve| Some((curve.scheme, curve.best()?.0))).collect()
 }
 
-/// The errors of a way, without times.
+/// The errors of a method, without times.
 pub(super) fn errors(way: &Way, points: &Points) -> WayFigures {
     let figures = |kernel: &Kernel, exact: fn(&Point) -> Option<&Vec<Exact>>| Figures {
         time: None,
@@ -43,13 +43,13 @@ pub(super) fn errors(way: &Way, points: &Points) -> WayFigures {
     }
 }
 
-/// The errors of a way's Jacobian at these points.
+/// The errors of a method's Jacobian at these points.
 fn jacobian_errors(way: &Way, points: &[Point]) -> Errors {
     let errors = |kernel: &Kernel| errors_of(kernel, points, |point| point.jacobian.as_ref());
     way.jacobian.as_ref().map_or_else(|| Errors::of([]), errors)
 }
 
-/// The error of a scheme over its step, from 1e-2 to 1e-16; `way` makes the way with a step.
+/// The error of a scheme as a function of its step, from 1e-2 to 1e-16; `way` makes the method with a given step.
 pub(super) fn curve(scheme: Scheme, way: &dyn Fn(Scheme, f64) -> Way, points: &Points, options: &Options) -> Curve {
     let errors = |step| jacobian_errors(&way(scheme, step), &points.random);
     let found: Vec<_> = Curve::steps(options.steps_per_decade.max(1)).map(errors).collect();
@@ -70,7 +70,7 @@ fn closed<F: Proved>() -> Way {
     in_closed_form::<F>(Way::of("closed", "closed form").value(value), jacobian)
 }
 
-/// A way with its Jacobian, where this is in closed form: an automatic one is that of `ad`.
+/// The method with its Jacobian if that is in closed form; an automatic one is measured as `ad`.
 fn in_closed_form<F: Proved>(way: Way, jacobian: Kernel) -> Way {
     if F::SPEC.is_closed() { way.jacobian(jacobian) } else { way }
 }
@@ -89,7 +89,7 @@ fn linearizations<F: Proved>(points: &[F::Inputs<f64>]) {
     }
 }
 
-/// As a program calls it; NaN where it is told what is wrong.
+/// As called by a program; NaN where an error is returned.
 fn checked<F: Proved>() -> Way {
     let or_nan = |found: Option<Vec<f64>>, len| found.unwrap_or_else(|| vec![f64::NAN; len]);
     let [inputs, outputs] = [F::Inputs::<f64>::LEN, F::Outputs::<f64>::LEN];
@@ -121,14 +121,14 @@ fn ad<F: Proved>() -> Way {
     Way::of("ad", "automatic differentiation").jacobian(Kernel::new(typed, jacobian, |(_, jacobian)| entries(jacobian)))
 }
 
-/// Differences with a step.
+/// Differences with a given step.
 pub(super) fn differences<F: Proved>(scheme: Scheme, step: f64) -> Way {
     let jacobian = move |i: &_| scheme.value_and_jacobian::<F>(step, i);
     let kernel = Kernel::new(typed, jacobian, |(_, jacobian)| entries(jacobian));
     Way { step: Some(step), ..Way::of(scheme.id(), scheme.title()).jacobian(kernel) }
 }
 
-/// The ways in 237 bits. They go through slices, which costs nothing beside what a multiplication costs there.
+/// The methods in 237 bits. They use slices, whose cost is negligible compared with a multiplication in 237 bits.
 fn octuple(subject: &Subject) -> [Way; 2] {
     let (value, jacobian, derivative) = (subject.exact_value, subject.exact_jacobian, subject.derivative_of());
     let both = move |x: &Vec<Octuple>| (value(x), jacobian(x));
@@ -154,7 +154,7 @@ mod tests {
     use super::*;
     use crate::connector::slot::ContactForce;
 
-    /// A number that is missing would be no error at all.
+    /// A missing number would count as having no error.
     #[test]
     fn every_number_is_nan_where_the_checked_way_refuses() {
         let Way { value, jacobian, .. } = checked::<ContactForce>();

@@ -1,4 +1,4 @@
-//! What is exact at a point, and the backward errors of value and Jacobian in `f64`.
+//! The exact results at a point, and the backward errors of value and Jacobian in `f64`.
 
 use super::bends::Bends;
 use super::claim::Claim;
@@ -12,7 +12,7 @@ use crate::formula::proof::Convention;
 use num_traits::{Signed, Zero};
 use std::iter;
 
-/// What is known exactly at a point.
+/// The exact results at a point.
 pub(super) struct Exact {
     pub(super) values: Vec<Octuple>,
     /// The Jacobian by automatic differentiation, and by the closed form.
@@ -29,12 +29,12 @@ impl Exact {
         Self { values: (subject.exact_value)(inputs), ad, closed, bends: Bends::at(point) }
     }
 
-    /// How much the k-th entry of the Jacobian changes with the inputs.
+    /// The sensitivity of the k-th entry of the Jacobian to the inputs.
     pub(super) fn bend(&self, point: &Point, k: usize) -> Sensitivity {
         self.bends.of(point, &self.closed, k)
     }
 
-    /// Numbers that are not larger, each of which takes longer, and in the end this number.
+    /// Lower bounds of this sensitivity, each of which takes longer to compute, and finally the sensitivity itself.
     pub(super) fn bends_up_to(&self, point: &Point, k: usize) -> impl Iterator<Item = Sensitivity> {
         self.bends.up_to(point, &self.closed, k)
     }
@@ -47,7 +47,7 @@ impl Exact {
             .fold(Octuple::zero(), |most, entry| if entry.abs() > most { entry.abs() } else { most })
     }
 
-    /// The largest entry, with how much it changes, of those of the same output by the other components of the same input.
+    /// The largest of the entries for the same output and the other components of the same input, with its sensitivity.
     fn largest_beside(&self, point: &Point, k: usize) -> Sensitivity {
         let (inputs, fields) = (point.exact.len(), point.subject.inputs);
         let (row, input) = (k / inputs * inputs, k % inputs);
@@ -55,20 +55,20 @@ impl Exact {
         largest(beside.map(|entry| self.bend(point, entry).plus(self.ad[entry])))
     }
 
-    /// How much every output changes with the inputs.
+    /// The sensitivity of every output to the inputs.
     pub(super) fn sensitivities(&self, inputs: &[Octuple]) -> Vec<Sensitivity> {
         self.ad.chunks(inputs.len()).map(|gradient| Sensitivity::new(gradient, inputs)).collect()
     }
 }
 
-/// The bounds of η of the value and of a closed-form Jacobian, claimed of sizes or of any.
+/// The claims of the bounds of η of the value and of a closed-form Jacobian, for the given sizes.
 pub(super) fn claims(spec: &Spec, sizes: &str) -> (Claim, Option<Claim>) {
     let (bounds, by) = spec.bounds();
     let claim = |of, bound| Claim::new(format!("η of the {of} in f64{by}{sizes}"), bound);
     (claim("value", bounds.value), bounds.jacobian.map(|bound| claim("closed-form Jacobian", bound)))
 }
 
-/// Value and closed-form Jacobian in `f64`, each alone and as they come together; on a switch there is no derivative.
+/// Checks value and closed-form Jacobian in `f64`, each computed alone and together; on a switch there is no derivative.
 pub(super) fn check_accuracy(
     value: &mut Claim,
     jacobian: Option<&mut Claim>,
@@ -102,7 +102,7 @@ fn check_value(claim: &mut Claim, point: &Point, names: &Names, exact: &Exact, v
     }
 }
 
-/// The closed form in `f64` is judged against automatic differentiation, so that a wrong one cannot be its own judge.
+/// Judges the closed form in `f64` against automatic differentiation, so that a wrong one does not judge itself.
 fn check_jacobian(claim: &mut Claim, point: &Point, names: &Names, exact: &Exact, jacobians: [Vec<f64>; 2]) {
     let [alone, together] = jacobians;
     for (entry, ((&alone, &together), &ad)) in alone.iter().zip(&together).zip(&exact.ad).enumerate() {
@@ -117,7 +117,7 @@ fn check_jacobian(claim: &mut Claim, point: &Point, names: &Names, exact: &Exact
             claim.record_last(sizes, claim.bound, describe)
         };
         let size = judge(alone);
-        // The same number is not judged twice.
+        // The same number is judged only once.
         if together.to_bits() == alone.to_bits() {
             claim.count(size, claim.bound);
         } else {
@@ -153,7 +153,7 @@ mod tests {
         Point::new(subject, "here".into(), random, inputs.to_vec())
     }
 
-    /// What is off in one part of what is exact is found there, by its size.
+    /// An error in one part of the exact results is found there, with its size.
     #[test]
     fn value_and_jacobian_are_judged_by_their_own_errors() {
         let subject = Subject::of::<ContactForce>();
@@ -164,7 +164,7 @@ mod tests {
         exact.values.iter_mut().for_each(off);
         off(&mut exact.ad[1]);
         check_accuracy(&mut value, Some(&mut jacobian), &point, &names, &exact);
-        // Alone and together; 2¹³ roundings, of which the sensitivity takes a share.
+        // Computed alone and together; 2¹³ roundings, divided by the sensitivity.
         assert_eq!((value.checks, value.failures, jacobian.checks, jacobian.failures), (2, 2, 4, 2));
         let worst = [value, jacobian].map(|claim| claim.worst.expect("it was checked"));
         assert_eq!(worst.each_ref().map(|worst| worst.entry.as_str()), ["fc", "∂fc/∂f3"]);
@@ -174,8 +174,8 @@ mod tests {
         }
     }
 
-    /// The first component of a tangent that is nearly along the second axis, and its derivative by that, are off by less than a
-    /// rounding of the second component.
+    /// The first component of a tangent nearly along the second axis, and its derivative with respect to itself, are
+    /// off by less than a rounding of the second component.
     #[test]
     fn normwise_a_component_that_cancels_is_judged_beside_the_largest() {
         let failures = |normwise, off: f64| {

@@ -1,4 +1,4 @@
-//! The audit: every claim about a formula, checked at its cases, beside its kinks and at random points.
+//! The audit: every claim about a formula, checked at its cases, near its kinks and at random points.
 
 use super::accuracy::{Exact, check_accuracy, claims};
 use super::bends::Bends;
@@ -23,38 +23,39 @@ use serde::{Deserialize, Serialize};
 use std::cell::OnceCell;
 use std::iter;
 
-/// Closed form and automatic differentiation agree in 237 bits to this.
+/// The tolerance between closed form and automatic differentiation in 237 bits.
 const CLOSED_AGAINST_AD: f64 = 1e-60;
-/// What is this part of a number, or less, is left by rounding it in 237 bits, a little more than 71 digits.
+/// An entry below this fraction of the largest is a rounding error in 237 bits, which are a little more than 71 digits.
 const NOTHING: f64 = 1e-68;
-/// Automatic differentiation and differences agree in 237 bits to this at random points.
+/// The tolerance between automatic differentiation and differences in 237 bits, at random points.
 const AD_AGAINST_DIFFERENCES: f64 = 1e-50;
-/// At hard points the step of differences must be shorter than the distance to the next kink, and digits are lost.
+/// The same at hard points, where the step of differences must be shorter than the distance to the next kink, and
+/// digits are lost.
 const AD_AGAINST_DIFFERENCES_HARD: f64 = 1e-35;
-/// At so many of the random points, and at all named ones, the printed equation is compared, and differences one input after
-/// another; at the others differences are along one direction of all inputs.
+/// The number of random points at which, as at all named ones, the printed equation is compared and differences are
+/// taken with respect to each input; at the others differences are taken along one direction in all inputs.
 const CLOSELY_AT: usize = 200;
-/// Sides of comparisons that so many random points take need not be searched for.
+/// Branches taken by this many random points need not be searched for.
 const REACHED_FROM: usize = 64;
-/// Laws hold in 237 bits to this.
+/// The tolerance of laws in 237 bits.
 const LAW: f64 = 1e-60;
 
-/// Steps of differences at hard points: the best one.
+/// Steps of differences at hard points, of which the best one counts.
 const STEPS: [f64; 4] = [3e-19, 1e-22, 1e-26, 1e-30];
-/// At random points, the second one where the first is not near enough, as with a slave point near a centre of curvature, whose
-/// foot moves far.
+/// Steps at random points. The second is used where the first is not accurate enough, as for a slave point near a
+/// centre of curvature, whose foot moves far.
 const STEPS_AT_RANDOM: [f64; 2] = [STEPS[0], 3e-20];
 
-/// What an audit of one formula found.
+/// The result of an audit of one formula.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Audit {
     /// The formula's identifier.
     pub formula: String,
-    /// Document and section, and how much of the equation is printed there.
+    /// Document and section, and how completely the equation is printed there.
     pub provenance: String,
-    /// Named points: the cases, points on and beside kinks, and those that were searched for.
+    /// Named points: the cases, points on and near kinks, and those that were searched for.
     pub named_points: usize,
-    /// So many of them were searched for, since they take a side of a comparison that neither a case nor a random point takes.
+    /// The number of those that were searched for, since they take a branch that neither a case nor a random point takes.
     pub searched_points: usize,
     /// Random points.
     pub random_points: usize,
@@ -68,7 +69,7 @@ pub struct Audit {
     pub eta: Claim,
     /// The closed-form Jacobian in `f64` is accurate; `None` where it is automatic.
     pub eta_jacobian: Option<Claim>,
-    /// The same at sizes up to the [scale](crate::formula::Spec::scale) that is stated; none at a single given point.
+    /// The same for sizes up to the stated [scale](crate::formula::Spec::scale); empty for a single given point.
     pub scaled: Vec<Claim>,
     /// The printed equation is the value, in 237 bits.
     pub equation: Claim,
@@ -76,14 +77,14 @@ pub struct Audit {
     pub equation_jacobian: Claim,
     /// Homogeneity, frame indifference, and the formula's own laws.
     pub laws: Vec<Claim>,
-    /// Nothing overflows where the formula [says](crate::formula::Spec::finite) so; `None` where it says nothing, and at a
-    /// single given point.
+    /// Nothing overflows where the formula [says](crate::formula::Spec::finite) so; `None` if it says nothing, and for
+    /// a single given point.
     pub finite: Option<Claim>,
-    /// Every place where value or derivative jumps is registered, by one-sided differences in 237 bits.
+    /// Every point where value or derivative jumps, by one-sided differences in 237 bits, is on a registered kink.
     pub kinks: Claim,
-    /// Something jumps on every registered kink; `None` where there is none.
+    /// On every registered kink something jumps; `None` if there are none.
     pub register: Option<Claim>,
-    /// How kinks were looked for; `None` at a single given point.
+    /// How kinks were searched for; `None` for a single given point.
     pub looked: Option<Looked>,
 }
 
@@ -102,7 +103,7 @@ impl Audit {
             .chain(&self.register)
     }
 
-    /// Whether no claim failed. At a single point on a kink there may be claims that cannot be checked.
+    /// Whether no claim failed. For a single point on a kink some claims cannot be checked.
     pub fn no_claim_failed(&self) -> bool {
         self.claims().all(|claim| claim.failures == 0)
     }
@@ -113,7 +114,7 @@ impl Audit {
     }
 }
 
-/// What is found at a share of the random points, and how the comparisons of the formula came out there.
+/// The audit at a share of the random points, and the outcomes of the formula's comparisons there.
 pub(super) fn audit_share(subject: &Subject, options: &Options, shard: Shard) -> (Audit, Vec<Comparison>) {
     let (range, is_first) = (shard.range(options.samples), shard.is_first());
     let mut named = if is_first { named_points(subject) } else { Vec::new() };
@@ -129,7 +130,7 @@ pub(super) fn audit_share(subject: &Subject, options: &Options, shard: Shard) ->
 /// Audits one formula at one point.
 ///
 /// # Errors
-/// The input that is not valid.
+/// An error for the invalid input.
 pub fn audit_at<F: Proved>(inputs: &F::Inputs<f64>) -> Result<Audit, Error> {
     check::<F>(inputs)?;
     let subject = Subject::of::<F>();
@@ -137,26 +138,26 @@ pub fn audit_at<F: Proved>(inputs: &F::Inputs<f64>) -> Result<Audit, Error> {
     Ok(audit_points(&subject, &Points { named, searched: 0, random: Vec::new(), before: 0, seed: 0, starts: None }))
 }
 
-/// Where an audit, or a part of one, looks.
+/// The points of an audit, or of a part of one.
 struct Points<'a> {
     named: Vec<Point<'a>>,
-    /// So many of these were searched for.
+    /// The number of named points that were searched for.
     searched: usize,
     random: Vec<Point<'a>>,
-    /// So many random points are before these, in other parts.
+    /// The number of random points before these, in other parts.
     before: usize,
     seed: u64,
-    /// Random points from which kinks are searched, by the first part alone.
+    /// Random points from which kinks are searched; only in the first part.
     starts: Option<Vec<Point<'a>>>,
 }
 
 impl Points<'_> {
-    /// Whether it is a single point that somebody gave.
+    /// Whether it is a single point given by the user.
     fn is_given(&self) -> bool {
         self.starts.is_none() && !self.named.is_empty()
     }
 
-    /// What the comparisons of the formula came out as.
+    /// The outcomes of the formula's comparisons.
     fn comparisons(&self, subject: &Subject) -> Vec<Comparison> {
         let points = self.named.iter().chain(&self.random).map(|point| point.inputs.as_slice());
         kinks::comparisons(subject, &Names::new(subject), points)
@@ -165,7 +166,7 @@ impl Points<'_> {
 
 fn audit_points(subject: &Subject, points: &Points<'_>) -> Audit {
     let Points { named, searched, random, before, seed, starts } = points;
-    // Laws hold at points in general position; at a single given point they are checked there.
+    // Laws hold at points in general position; a single given point is checked as it is.
     let general = if points.is_given() { named } else { random };
     let names = Names::new(subject);
     let (printed, [equation, equation_jacobian]) = read_equation(subject);
@@ -197,7 +198,7 @@ fn audit_points(subject: &Subject, points: &Points<'_>) -> Audit {
     if let Some(starts) = starts {
         audit.looked = Some(kinks::look(subject, &names, [named, starts], &mut audit.kinks));
     } else if !points.is_given() {
-        // That an equation cannot be read is said once, by the first part.
+        // Only the first part reports an equation that cannot be read.
         audit.equation = audit.equation.begun_anew();
     }
     let closely = CLOSELY_AT.saturating_sub(*before).min(random.len());
@@ -210,8 +211,8 @@ fn audit_points(subject: &Subject, points: &Points<'_>) -> Audit {
     audit
 }
 
-/// What is claimed of a closed form. A Jacobian of which no bound is stated is automatic; one that is written by hand all the same
-/// would be looked at by nobody.
+/// The claim about a closed form. A Jacobian without a stated bound is automatic; a hand-written one would go
+/// unchecked.
 fn closed_form(subject: &Subject, points: &[Point]) -> Option<Claim> {
     let mut claim = Claim::new("closed form = automatic differentiation, in 237 bits", CLOSED_AGAINST_AD);
     let bits = |entries: Vec<f64>| entries.into_iter().map(f64::to_bits).collect::<Vec<_>>();
@@ -226,7 +227,7 @@ fn closed_form(subject: &Subject, points: &[Point]) -> Option<Claim> {
     Some(claim)
 }
 
-/// The printed equation alone: its value and its Jacobian, at all points at which an audit compares them.
+/// Audits the printed equation alone: its value and its Jacobian, at all points at which an audit compares them.
 pub fn audit_equation<F: Proved>(options: &Options) -> [Claim; 2] {
     equation_of(&Subject::of::<F>(), options)
 }
@@ -239,7 +240,7 @@ fn equation_of(subject: &Subject, options: &Options) -> [Claim; 2] {
     for point in named_points(subject).into_iter().chain(random) {
         if printed.is_defined(point.kink.is_some()) {
             let (values, closed) = ((subject.exact_value)(&point.exact), (subject.exact_jacobian)(&point.exact));
-            // Few numbers are so close to a cancellation that it is asked what rounding of the inputs does to them.
+            // Few numbers are so close to cancellation that their sensitivity to the inputs is needed.
             let (gradients, bends) = (OnceCell::new(), Bends::at(&point));
             let gradients = || gradients.get_or_init(|| subject.derivative(&point.exact)).as_slice();
             let bend = |k: usize| bends.of(&point, &closed, k);
@@ -249,7 +250,7 @@ fn equation_of(subject: &Subject, options: &Options) -> [Claim; 2] {
     claims
 }
 
-/// The printed equation, and what is claimed of it; that it can be read, too.
+/// The printed equation and the claims about it, including that it can be read.
 fn read_equation(subject: &Subject) -> (Option<Equation>, [Claim; 2]) {
     let mut values = Claim::new("printed equation = value, in 237 bits", EQUATION);
     let jacobian = Claim::new("derivative of the printed equation = Jacobian, in 237 bits", EQUATION);
@@ -268,7 +269,7 @@ pub(super) fn named_points(subject: &Subject) -> Vec<Point<'_>> {
         .collect()
 }
 
-/// Points on every kink and on both sides of it, near and nearer, each with its name; some may be invalid inputs.
+/// Named points on every kink and on both sides of it, at two distances; some may be invalid inputs.
 pub(crate) fn beside_kinks(subject: &Subject) -> impl Iterator<Item = (String, Vec<f64>)> {
     subject.kinks.iter().flat_map(|kink| {
         [0.0, 2e-3, -2e-3, 1e-9, -1e-9].map(|step| {
@@ -278,7 +279,7 @@ pub(crate) fn beside_kinks(subject: &Subject) -> impl Iterator<Item = (String, V
     })
 }
 
-/// Points that take sides of comparisons which neither named points nor the first random ones take.
+/// Points in branches that neither named points nor the first random ones take.
 fn searched_points<'a>(subject: &'a Subject, named: &[Point], random: &[Point]) -> Vec<Point<'a>> {
     let Ok(graph) = subject.telling_graph() else { return Vec::new() };
     let names = Names::new(subject);
@@ -292,9 +293,9 @@ fn searched_points<'a>(subject: &'a Subject, named: &[Point], random: &[Point]) 
     reach(subject, &Branches::of(graph), &starts).into_iter().map(point).collect()
 }
 
-/// The claims made about every formula.
+/// The checks made for every formula.
 impl Audit {
-    /// All that is claimed of a point.
+    /// Checks all claims at a point.
     fn check_closely(&mut self, point: &Point, names: &Names, equation: Option<&Equation>) {
         let exact = Exact::at(point);
         self.check_code(point, names, &exact);
@@ -309,7 +310,7 @@ impl Audit {
         }
     }
 
-    /// The same without the printed equation, and with differences in one direction alone.
+    /// The same without the printed equation, and with differences in one direction only.
     fn check(&mut self, point: &Point, names: &Names) {
         let exact = Exact::at(point);
         self.check_code(point, names, &exact);
@@ -318,14 +319,15 @@ impl Audit {
         }
     }
 
-    /// The closed form in 237 bits, and all that is computed in `f64`.
+    /// Checks the closed form in 237 bits, and everything computed in `f64`.
     fn check_code(&mut self, point: &Point, names: &Names, exact: &Exact) {
         self.check_closed_form(point, names, exact);
         check_accuracy(&mut self.eta, self.eta_jacobian.as_mut(), point, names, exact);
     }
 
-    /// Judged against the entry and what rounding of the inputs can do to it: an entry may be what a cancellation left. One that is
-    /// nothing beside others of its output is what rounding in 237 bits left of their terms, and judged against them.
+    /// Judged relative to the entry and its sensitivity to the inputs, as an entry may be the result of a
+    /// cancellation. An entry that is negligible compared with others of its output is rounding error of their terms
+    /// in 237 bits, and is judged relative to them.
     fn check_closed_form(&mut self, point: &Point, names: &Names, exact: &Exact) {
         let Some(claim) = &mut self.closed_against_ad else { return };
         for (k, (&closed, &ad)) in exact.closed.iter().zip(&exact.ad).enumerate() {
@@ -341,7 +343,7 @@ impl Audit {
         }
     }
 
-    /// Differences by one input after another.
+    /// Compares with differences with respect to each input.
     fn check_ad(&mut self, point: &Point, names: &Names, exact: &Exact) {
         let (inputs, rounding) = (point.exact.len(), rounding_of_values(point, exact));
         let bound = if point.random { AD_AGAINST_DIFFERENCES } else { AD_AGAINST_DIFFERENCES_HARD };
@@ -361,7 +363,7 @@ impl Audit {
         }
     }
 
-    /// Differences along one direction of all inputs, other ones at every point.
+    /// Compares with differences along one direction in all inputs, a different one at every point.
     fn check_ad_along(&mut self, point: &Point, names: &Names, exact: &Exact) {
         let (subject, inputs) = (point.subject, point.exact.as_slice());
         let mut sampler = Sampler::named(&format!("{} along {}", subject.spec.id, point.label), 0);
@@ -375,7 +377,7 @@ impl Audit {
         }
     }
 
-    /// At a named point, which may be a special position, the derivatives on both sides are the same.
+    /// At a named point, which may be a special position, the derivatives on both sides must agree.
     fn check_sides(&mut self, point: &Point, names: &Names, entry: usize, scale: Octuple, sides: &[[Octuple; 2]]) {
         let relative = |[below, above]: &[Octuple; 2]| {
             let jump = (*above - *below).abs();
@@ -385,18 +387,18 @@ impl Audit {
         let smallest = sides.iter().map(relative).reduce(|best, next| if next.0 < best.0 { next } else { best });
         let Some((size, [below, above])) = smallest else { return };
         let inputs = point.exact.len();
-        // The steps may be too long for what is near.
+        // The steps may be longer than the distance to a kink.
         let size = if size <= SMOOTH { size } else { size.min(kinks::jump(point, entry / inputs, entry % inputs)) };
         let describe = |size| point.deviation(size, names.entry(entry), above.to_f64(), below.to_f64());
         self.kinks.record(size, SMOOTH, describe);
     }
 }
 
-/// The derivative of every output along a direction, and what differences say of it.
+/// The derivative of every output along a direction, compared with differences.
 struct Compared {
     expected: Vec<Octuple>,
     scales: Vec<Sensitivity>,
-    /// By one step after the other.
+    /// One entry for each step tried.
     attempts: Vec<Differences>,
 }
 
@@ -421,7 +423,7 @@ impl Compared {
         (0..self.expected.len()).all(|output| self.deviation(output) <= AD_AGAINST_DIFFERENCES)
     }
 
-    /// By the best step, unless the first one leads to no number.
+    /// The deviation for the best step, unless the first one gives no number.
     fn deviation(&self, output: usize) -> f64 {
         let deviations = self.attempts.iter().map(|rows| (self.expected[output] - rows.central[output]).abs());
         let best = deviations.reduce(|best, next| if next < best { next } else { best });
@@ -434,8 +436,8 @@ impl Compared {
     }
 }
 
-/// What rounding can do to the values, |y| and what rounding of the inputs does, by which differences are judged beside the
-/// derivative itself. Where that is 0, because the terms of y cancel, |y| is the largest of its field.
+/// The size of rounding errors in the values, from |y| and its sensitivity to the inputs, against which differences are judged in
+/// addition to the derivative itself. If both are 0, because the terms of y cancel, the largest output of the same field is used.
 fn rounding_of_values(point: &Point, exact: &Exact) -> Vec<Sensitivity> {
     let sizes = exact.sensitivities(&point.exact);
     let rounding = |(output, (size, &value)): (usize, (Sensitivity, &Octuple))| {
@@ -446,7 +448,7 @@ fn rounding_of_values(point: &Point, exact: &Exact) -> Vec<Sensitivity> {
     sizes.into_iter().zip(&exact.values).enumerate().map(rounding).collect()
 }
 
-/// Value and Jacobian of the printed equation, each judged as those of the code are.
+/// Checks value and Jacobian of the printed equation by the same criteria as those of the code.
 fn check_equation<'g>(
     [values, jacobian]: [&mut Claim; 2],
     point: &Point,
@@ -467,7 +469,7 @@ fn check_equation<'g>(
 
 fn check_law(law: &Law, points: &[Point]) -> Claim {
     let mut claim = Claim::new(law.statement.as_str(), LAW);
-    // On a kink or a cut a law may hold from one side only.
+    // On a kink or a cut a law may hold on one side only.
     for point in points.iter().filter(|point| point.kink.is_none()) {
         for (k, equation) in (law.sides)(&point.exact).iter().enumerate() {
             let (left, right) = (equation.left.to_f64(), equation.right.to_f64());

@@ -1,4 +1,4 @@
-//! How much the entries of a Jacobian change with the inputs, computed as far as it is asked for.
+//! The sensitivities of Jacobian entries to the inputs, computed only as far as needed.
 
 use super::Sensitivity;
 use super::point::Point;
@@ -6,13 +6,13 @@ use crate::Octuple;
 use crate::number::power::power_of_two;
 use std::cell::OnceCell;
 
-/// Of every entry of the Jacobian at a point, by how much it changes when every input changes by one part: its bend.
+/// For every entry of the Jacobian at a point, the change caused by a relative change of 1 in every input: its sensitivity.
 ///
-/// It takes a Jacobian for every input. Often a part of it is enough: an error that is small beside what the first inputs
-/// do is small beside what all of them do.
+/// It takes one Jacobian per input. Often a part suffices: an error that is small compared with the effect of the first inputs is
+/// small compared with the effect of all of them.
 pub(super) struct Bends {
-    /// By all inputs moving at once, then by the first one, by the first two, and so on. Near a kink, where differences tell
-    /// nothing, by second derivatives alone.
+    /// First with all inputs moving at once, then for the first input, the first two, and so on. Near a kink, where
+    /// differences are useless, by second derivatives only.
     steps: Vec<OnceCell<Vec<Sensitivity>>>,
 }
 
@@ -22,12 +22,13 @@ impl Bends {
         Self { steps: vec![OnceCell::new(); 1 + by_inputs] }
     }
 
-    /// The bend of the k-th entry; `here` is the Jacobian.
+    /// The sensitivity of the k-th entry; `here` is the Jacobian.
     pub(super) fn of(&self, point: &Point, here: &[Octuple], k: usize) -> Sensitivity {
         self.step(point, here, self.steps.len() - 1)[k]
     }
 
-    /// Numbers that are not larger, from 0, each of which takes one Jacobian more, and in the end the bend.
+    /// Lower bounds of the sensitivity, starting from 0, each of which takes one more Jacobian, and finally the
+    /// sensitivity itself.
     pub(super) fn up_to(&self, point: &Point, here: &[Octuple], k: usize) -> impl Iterator<Item = Sensitivity> {
         (0..=self.steps.len()).map(move |step| match step.checked_sub(1) {
             None => Sensitivity::none(),
@@ -48,7 +49,7 @@ impl Bends {
     }
 }
 
-/// At random points no kink is near, and a difference has 35 digits for a small part of the time.
+/// No kink is near a random point; a difference there gives 35 digits in a small fraction of the time.
 fn has_no_kink_near(point: &Point) -> bool {
     point.random && point.kink.is_none()
 }
@@ -58,10 +59,10 @@ fn by_second_derivatives(point: &Point) -> Vec<Sensitivity> {
     gradients.iter().map(|gradient| Sensitivity::new(gradient, &point.exact)).collect()
 }
 
-/// Inputs change by this part of them in differences of Jacobians.
+/// The exponent of the relative change of inputs in differences of Jacobians.
 const PART: i64 = -118;
 
-/// Every other input moves up and every other one down.
+/// Moves the inputs up and down alternately.
 fn by_all_inputs(point: &Point, here: &[Octuple]) -> Vec<Sensitivity> {
     let part = power_of_two(PART);
     let parts = [part, -part].into_iter().cycle();
@@ -74,7 +75,7 @@ fn by_input(point: &Point, here: &[Octuple], input: usize) -> Vec<Sensitivity> {
     changes(point, here, &moved)
 }
 
-/// What moved inputs do to every entry, per part.
+/// The change of every entry when the inputs move, per relative change.
 fn changes(point: &Point, here: &[Octuple], moved: &[Octuple]) -> Vec<Sensitivity> {
     let there = (point.subject.exact_jacobian)(moved);
     let parts = Octuple::from(power_of_two(PART).recip());
@@ -97,7 +98,7 @@ mod tests {
         (point.subject.exact_jacobian)(&point.exact)
     }
 
-    /// On a kink, beside it, and at random points.
+    /// On a kink, near it, and at random points.
     #[test]
     fn no_number_before_it_is_more_than_the_bend() {
         fn compare<F: Proved>() {
@@ -109,7 +110,7 @@ mod tests {
                 kinks += usize::from(point.kink.is_some());
                 for (k, entry) in here.iter().enumerate() {
                     let bend = bends.of(point, &here, k).size();
-                    // As far as differences have digits.
+                    // Within the accuracy of differences.
                     let most = bend + (bend + entry.abs()) * 1e-30;
                     let before: Vec<_> = bends.up_to(point, &here, k).map(Sensitivity::size).collect();
                     assert!(
@@ -132,7 +133,8 @@ mod tests {
         Point::new(subject, "here".into(), random, inputs.to_vec())
     }
 
-    /// Of x/r and y/r at (3, 4): x y²/r³ and x² y/r³ by each of the two inputs, which also add up where one moves the other way.
+    /// For x/r and y/r at (3, 4): x y²/r³ and x² y/r³ from each of the two inputs, which also add up if they move in
+    /// opposite directions.
     #[test]
     fn bends_are_what_each_input_does_to_a_derivative() {
         let subject = Subject::of::<ContactForce>();
@@ -147,7 +149,7 @@ mod tests {
         }
     }
 
-    /// At a named point it is the second derivative to the last digit, and so on a kink, where a difference would be a jump.
+    /// At a named point it is the second derivative to the last digit, also on a kink, where a difference would contain the jump.
     #[test]
     fn differences_tell_bends_at_random_points_alone() {
         let subject = Subject::of::<ReturnMap>();
@@ -166,7 +168,7 @@ mod tests {
         assert_eq!(Bends::at(&point).of(&point, &jacobian(&point), 0).size(), expected.size());
     }
 
-    /// What is known of the first inputs is enough for some, and the others are not moved.
+    /// For some, the first inputs suffice, and the others are not moved.
     #[test]
     fn no_more_is_computed_than_is_asked_for() {
         let subject = Subject::of::<ContactForce>();

@@ -1,21 +1,21 @@
-//! Which sides of the comparisons of a formula its points take.
+//! The branches that a formula takes at its points.
 
 use super::subject::Subject;
 use crate::toolkit::graph::{Graph, Node, Op};
 
-/// The comparisons that value and Jacobian depend on.
+/// The comparisons on which value and Jacobian depend.
 pub(super) struct Branches<'a> {
     pub(super) graph: &'a Graph,
     results: Vec<Node>,
-    /// All that the results are computed from.
+    /// All operations that the results are computed from.
     nodes: Vec<Node>,
     pub(super) comparisons: Vec<Node>,
 }
 
-/// What comes out of each comparison at a point; `None` where nothing depends on it there.
+/// The outcome of each comparison at a point; `None` if nothing depends on it there.
 pub(super) type Answers = Vec<Option<bool>>;
 
-/// How often each comparison came out as no and as yes.
+/// How often each comparison was false and true.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Tally(pub(super) Vec<[usize; 2]>);
 
@@ -35,7 +35,7 @@ impl<'a> Branches<'a> {
         self.comparisons.iter().map(answer).collect()
     }
 
-    /// No point yet.
+    /// A tally without points.
     pub(super) fn tally(&self) -> Tally {
         Tally(vec![[0; 2]; self.comparisons.len()])
     }
@@ -50,28 +50,28 @@ impl Tally {
         }
     }
 
-    /// How often the side was taken that was taken least of these.
+    /// The count of the rarest of these outcomes.
     pub(super) fn rarest(&self, answers: &Answers) -> usize {
         let taken = |(counts, answer): (&[usize; 2], &Option<bool>)| answer.map(|answer| counts[usize::from(answer)]);
         self.0.iter().zip(answers).filter_map(taken).min().unwrap_or(usize::MAX)
     }
 
-    /// Whether a side of the k-th comparison was taken.
+    /// Whether an outcome of the k-th comparison has occurred.
     pub(super) fn has(&self, k: usize, answer: bool) -> bool {
         self.0[k][usize::from(answer)] > 0
     }
 
-    /// Whether every side was.
+    /// Whether every outcome has occurred.
     pub(super) fn is_full(&self) -> bool {
         self.0.iter().flatten().all(|&count| count > 0)
     }
 }
 
-/// So many points at least take each side, if there are so many.
+/// The number of points that should take each branch, if there are that many.
 const LEAST: usize = 2;
 
-/// So many of these points, spread over the sides of the comparisons: one after another the first one that takes a side which
-/// few have taken; where there is none, the first one.
+/// Selects `count` of these points, spread over the branches: in turn, the first one that takes a branch which few
+/// have taken, or else the first one left.
 pub(super) fn spread(subject: &Subject, drawn: Vec<Vec<f64>>, count: usize) -> Vec<Vec<f64>> {
     let nothing = Graph::default();
     let branches = Branches::of(subject.graph().unwrap_or(&nothing));
@@ -113,7 +113,7 @@ mod tests {
         assert_eq!(tally().rarest(&vec![None; 3]), usize::MAX);
     }
 
-    /// Whether a force is below a limit is asked everywhere, and what rounding of the product did only where both are equal.
+    /// Whether a force is below a limit matters everywhere; the rounding error of the product matters only where both are equal.
     #[test]
     fn what_nothing_depends_on_has_no_answer() {
         let subject = Subject::of::<ReturnMap>();
@@ -132,7 +132,7 @@ mod tests {
     fn points_are_spread_over_sides_until_each_was_taken_twice() {
         let subject = Subject::of::<ReturnMap>();
         let at = |f_trial: f64| vec![f_trial, 0.5, 4.0];
-        // Below 2 it sticks, and beyond it slips.
+        // Below 2 it sticks, above it slips.
         let drawn: Vec<_> = [1.0, 1.1, 1.2, 1.3, 3.0, 3.1, 3.2].map(at).into();
         let forces = |count| spread(&subject, drawn.clone(), count).iter().map(|point| point[0]).collect::<Vec<_>>();
         assert_eq!(forces(6), [1.0, 3.0, 1.1, 3.1, 1.2, 1.3]);

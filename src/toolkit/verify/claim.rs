@@ -1,4 +1,4 @@
-//! A claim about a formula, and what was found about it.
+//! A claim about a formula, and the result of checking it.
 
 use crate::formula::NORMWISE;
 use serde::{Deserialize, Serialize};
@@ -6,13 +6,13 @@ use serde::{Deserialize, Serialize};
 /// A claim about a formula.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Claim {
-    /// What is claimed.
+    /// The claim in words.
     pub claim: String,
     /// The largest deviation allowed.
     pub bound: f64,
-    /// How many numbers were compared.
+    /// The number of comparisons.
     pub checks: usize,
-    /// How many deviated by more than the bound.
+    /// The number of deviations above the bound.
     pub failures: usize,
     /// The largest deviation.
     pub worst: Option<Deviation>,
@@ -26,15 +26,15 @@ pub struct Deviation {
     pub size: f64,
     /// The entry: `fc`, or `∂fc/∂f2`.
     pub entry: String,
-    /// The case, or the number of the random point.
+    /// The case, or the index of the random point.
     pub point: String,
-    /// What was found.
+    /// The value found.
     #[serde(with = "any_double")]
     pub found: f64,
-    /// What was expected.
+    /// The value expected.
     #[serde(with = "any_double")]
     pub expected: f64,
-    /// The inputs, as golden files give them, to be pasted back.
+    /// The inputs in the format of golden files, to be pasted back.
     pub inputs: serde_json::Value,
 }
 
@@ -48,18 +48,18 @@ impl Claim {
         self.checks > 0 && self.failures == 0
     }
 
-    /// Whether its bound is one [normwise](crate::formula::Spec::normwise).
+    /// Whether its bound is [normwise](crate::formula::Spec::normwise).
     pub fn is_normwise(&self) -> bool {
         self.claim.contains(NORMWISE)
     }
 
-    /// The same claim, of which nothing was checked.
+    /// The same claim, with nothing checked.
     #[must_use]
     pub(super) fn begun_anew(self) -> Self {
         Self::new(self.claim, self.bound)
     }
 
-    /// This claim, checked at more points, which follow. Of two deviations of one size the first is kept.
+    /// Merges this claim with its checks at further points. Of two deviations of the same size the first is kept.
     #[must_use]
     pub(super) fn and(self, next: Self) -> Self {
         let is_larger = match (&self.worst, &next.worst) {
@@ -75,7 +75,7 @@ impl Claim {
         }
     }
 
-    /// What is claimed cannot even be checked.
+    /// Records that the claim could not be checked.
     pub(super) fn fail(&mut self, reason: String) {
         self.failures += 1;
         let inputs = serde_json::Value::Null;
@@ -83,8 +83,9 @@ impl Claim {
         self.worst = Some(Deviation { size: f64::MAX, entry: reason, point, found, expected, inputs });
     }
 
-    /// Records the last of sizes of which none is smaller than it, but each takes longer to compute, and returns it. Where one
-    /// is within the bound and not the largest deviation, it does as well, and the others are not asked for.
+    /// Records and returns the last of several upper bounds of a deviation, each of which takes longer to compute than
+    /// the previous one. A bound that is within the limit and below the worst deviation suffices, and the following
+    /// ones are not computed.
     pub(super) fn record_last(
         &mut self,
         sizes: impl IntoIterator<Item = f64>,
@@ -111,8 +112,8 @@ impl Claim {
         }
     }
 
-    /// Counts a deviation that is not the worst, or of which that is decided elsewhere, and returns it. What is not a number is
-    /// no deviation that anybody knows, and within no bound.
+    /// Counts and returns a deviation that is not the worst, or for which this is decided elsewhere. NaN counts as
+    /// infinite, and exceeds every bound.
     pub(super) fn count(&mut self, size: f64, bound: f64) -> f64 {
         let size = if size.is_nan() { f64::INFINITY } else { size };
         self.checks += 1;
@@ -121,7 +122,7 @@ impl Claim {
     }
 }
 
-/// Doubles as golden files have them, so that a claim that failed by NaN can be read back.
+/// Doubles in the format of golden files, so that a claim that failed with NaN can be read back.
 mod any_double {
     use crate::toolkit::verify::golden::{double, number};
     use serde::de::Error;
@@ -149,7 +150,7 @@ mod tests {
         Deviation { size, entry: entry.into(), point: "there".into(), found, expected, inputs }
     }
 
-    /// A claim of bound 3 that was checked at deviations of these sizes, named by their place.
+    /// A claim with bound 3, checked at deviations of these sizes, named by their positions.
     fn checked(sizes: &[f64]) -> Claim {
         let mut claim = Claim::new("it is so", 3.0);
         for (k, &size) in sizes.iter().enumerate() {
@@ -205,7 +206,7 @@ mod tests {
         assert_eq!((claim.checks, claim.failures, worst(&claim)), (1, 1, (f64::MAX, "it cannot be read")));
     }
 
-    /// Sizes of which none is larger than the one before: how many are asked for, and which is recorded.
+    /// A non-increasing sequence of sizes: how many are computed, and which is recorded.
     #[test]
     fn a_size_is_looked_at_more_closely_where_it_would_fail_or_be_the_worst() {
         let last = |before: &[f64], sizes: [f64; 3]| {
@@ -224,7 +225,7 @@ mod tests {
         assert_eq!(last(&[2.0], [2.0, 1.0, 0.5]), (1, (2.0, "before"), 0));
         assert_eq!(last(&[2.0], [2.5, 1.0, 0.5]), (2, (2.0, "before"), 0));
         assert_eq!(last(&[2.0], [2.5, 2.5, 2.5]), (3, (2.5, "last"), 0));
-        // Below the worst, but too large.
+        // Below the worst, but above the bound.
         assert_eq!(last(&[9.0], [4.0, 3.0, 0.5]), (2, (9.0, "before"), 1));
         assert_eq!(last(&[9.0], [4.0, 4.0, 4.0]), (3, (9.0, "before"), 2));
     }

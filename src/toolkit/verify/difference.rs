@@ -1,4 +1,4 @@
-//! Jacobians by differences, to judge automatic differentiation itself.
+//! Jacobians by differences, as a check of automatic differentiation itself.
 
 use super::sample::Sampler;
 use super::subject::Subject;
@@ -9,7 +9,8 @@ use num_traits::{Signed, Zero};
 use std::ops::Range;
 
 /// The gradient of every output with respect to input component `k`, by fourth-order central differences in 237 bits:
-/// (8(y₊₁ − y₋₁) − (y₊₂ − y₋₂)) / 12h, with h = `step` times the size of the input (where it is 0, of its field or of what has its unit).
+/// (8(y₊₁ − y₋₁) − (y₊₂ − y₋₂)) / 12h, with h = `step` times the size of the input (if that is 0, of its field or of
+/// inputs with the same unit).
 ///
 /// Rounding costs about 2⁻²³⁶/`step` and truncation `step`⁴: at 3e-19 both are far below 1e-50. Near a kink the step
 /// must be shorter than the distance to it, and fewer digits remain.
@@ -19,21 +20,21 @@ pub fn central_differences<F: Proved>(inputs: &[Octuple], k: usize, step: f64) -
     differences(&subject, inputs, &(subject.exact_value)(inputs), &along, step).central
 }
 
-/// A way to go from a point.
+/// A direction to move in from a point.
 pub(super) struct Direction {
-    /// What is added to each input component by going one unit far.
+    /// The change of each input component per unit step.
     moves: Vec<Octuple>,
     unit: Octuple,
 }
 
 impl Direction {
-    /// One component changes, and derivatives are by this component.
+    /// Moves one component; derivatives are with respect to it.
     pub(super) fn of_one(subject: &Subject, inputs: &[Octuple], k: usize) -> Self {
         let unit = step_size(subject.inputs, inputs, k);
         Self { moves: (0..inputs.len()).map(|i| if i == k { unit } else { Octuple::zero() }).collect(), unit }
     }
 
-    /// Every component changes, by between half and all of its size, up or down. Derivatives are by a number.
+    /// Moves every component by between half and all of its size, up or down; derivatives are with respect to the step.
     pub(super) fn of_all(subject: &Subject, inputs: &[Octuple], sampler: &mut Sampler) -> Self {
         let moves = (0..inputs.len()).map(|k| {
             let part = 0.5 + sampler.unit() / 2.0;
@@ -42,18 +43,18 @@ impl Direction {
         Self { moves: moves.collect(), unit: Octuple::from(1.0) }
     }
 
-    /// How large the change is of what derivatives are by.
+    /// The size of the unit step.
     pub(super) fn unit(&self) -> Octuple {
         self.unit
     }
 
-    /// The derivative of what has this gradient.
+    /// The derivative along the direction of a function with this gradient.
     pub(super) fn derivative(&self, gradient: &[Octuple]) -> Octuple {
         let terms = gradient.iter().zip(&self.moves).map(|(&slope, &way)| slope * way);
         terms.fold(Octuple::zero(), |sum, term| sum + term) / self.unit
     }
 
-    /// A point at so many units from here.
+    /// The point after `steps` steps of this size.
     fn moved(&self, inputs: &[Octuple], step: f64, steps: f64) -> Vec<Octuple> {
         inputs.iter().zip(&self.moves).map(|(&x, &way)| x + way * step * steps).collect()
     }
@@ -61,9 +62,9 @@ impl Direction {
 
 /// The derivative of every output along a direction.
 pub(super) struct Differences {
-    /// As [`central_differences`].
+    /// As in [`central_differences`].
     pub(super) central: Vec<Octuple>,
-    /// From the point backwards, and forwards.
+    /// At the point, backward and forward.
     pub(super) one_sided: [Vec<Octuple>; 2],
 }
 
@@ -74,7 +75,7 @@ impl Differences {
     }
 }
 
-/// Differences of a formula without its types, which has these values `here`.
+/// Differences of a formula without its types, whose values at the point are `here`.
 pub(super) fn differences(
     subject: &Subject,
     inputs: &[Octuple],
@@ -93,7 +94,7 @@ pub(super) fn differences(
     Differences { central, one_sided: [from(&below, -1.0), from(&above, 1.0)] }
 }
 
-/// The components of the field that this one is of, with itself.
+/// The components of the field to which this one belongs, including itself.
 pub(super) fn of_same_field(fields: &[Field], component: usize) -> Range<usize> {
     let mut first = 0;
     for field in fields {
@@ -137,7 +138,7 @@ mod tests {
     use crate::formula::quantity::{F2, MU, X, XA};
     use crate::toolkit::verify::exact;
 
-    /// Of √(x² + y²) at (3, 4), whose gradient is (0.6, 0.8).
+    /// For √(x² + y²) at (3, 4), whose gradient is (0.6, 0.8).
     #[test]
     fn derivatives_are_by_one_component_or_along_a_direction_of_all() {
         let (subject, inputs) = (Subject::of::<ContactForce>(), exact(&[3.0, 4.0]));
@@ -182,9 +183,9 @@ mod tests {
     fn a_step_is_of_the_size_of_a_number_or_of_what_is_most_like_it() {
         let step = |inputs: [f64; 6], k| step_size(FIELDS, &exact(&inputs), k).to_f64();
         let inputs = [0.0, -3.0, 2.0, 0.0, -7.0, 0.0];
-        // Its own, that of its field, and 1 where nothing has its unit.
+        // Its own size, that of its field, and 1 if nothing has its unit.
         assert_eq!([0, 1, 2, 3, 4, 5].map(|k| step(inputs, k)), [3.0, 3.0, 2.0, 1.0, 7.0, 1.0]);
-        // That of its unit where its whole field is nothing.
+        // The size of inputs with the same unit, if its whole field is zero.
         assert_eq!(step([0.0, 0.0, 0.0, 5.0, -7.0, 9.0], 1), 7.0);
         assert_eq!(step([1.0, -3.0, 2.0, 5.0, 0.0, 9.0], 4), 3.0);
     }
@@ -197,7 +198,7 @@ mod tests {
         assert_eq!(largest_of_field(FIELDS, &exact(&[0.0; 6]), 1), Octuple::zero());
     }
 
-    /// No more than μ F_N, here 2, is transmitted.
+    /// The transmitted force is at most μ F_N, here 2.
     #[test]
     fn sides_are_told_apart_in_order() {
         let (subject, inputs) = (Subject::of::<ReturnMap>(), exact(&[2.0, 0.5, 4.0]));

@@ -1,7 +1,7 @@
-//! The audit of an element, which every element shares: its numbers fit together, in 237 bits.
+//! The audit of an element, common to all elements: its numbers are consistent in 237 bits.
 //!
-//! Rows are the derivative of the residuals, forces are rowsᵀ λ and friction, the matrix is the derivative of the forces; nothing
-//! is left of forces and moments in a rigid-body motion; friction costs work.
+//! Rows are the derivative of the residuals, forces are rowsᵀ λ and friction, the matrix is the derivative of the
+//! forces; forces and moments do no work in a rigid-body motion; friction dissipates.
 
 mod compare;
 mod form;
@@ -29,16 +29,16 @@ use linear::{Matrix, Vector, beside, column};
 use serde::{Deserialize, Serialize};
 use std::iter;
 
-/// What an audit of one element found.
+/// The result of an audit of one element.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ElementAudit {
     /// The element's identifier.
     pub element: String,
-    /// Document and section, and how much is printed there.
+    /// Document and section, and how completely it is printed there.
     pub provenance: String,
-    /// Its own cases, smooth and rubbing.
+    /// Its own cases, without and with friction.
     pub named_points: usize,
-    /// Random points, smooth and rubbing.
+    /// Random points, without and with friction.
     pub random_points: usize,
     /// The seed of the random points.
     pub seed: u64,
@@ -81,7 +81,7 @@ pub(crate) fn audit(element: &ElementSubject, options: &Options) -> ElementAudit
     }
 }
 
-/// All that is claimed of an element.
+/// All claims about an element.
 struct Claims {
     rows: Claim,
     forces: Claim,
@@ -116,7 +116,7 @@ impl Claims {
 
     fn check(&mut self, layout: &Layout, names: &Names, form: &Form, point: &Point) {
         let here = form.at(layout, point.exact.clone());
-        // Where the residuals vanish, if the rows are their derivative only there.
+        // Points where the residuals vanish, if the rows are their derivative only there.
         let elsewhere = (!form.has_exact_rows).then(|| form.at(layout, (form.held)(&point.exact)));
         let held = elsewhere.as_ref().unwrap_or(&here);
 
@@ -139,7 +139,7 @@ impl Claims {
         self.check_eta(names, form, point, &here);
     }
 
-    /// Every number in `f64`, and where bounds are normwise beside the largest of its block.
+    /// Checks every number in `f64`; if bounds are normwise, relative to the largest number of its block.
     fn check_eta(&mut self, names: &Names, form: &Form, point: &Point, here: &Here) {
         let of_size = |size: Octuple| Sensitivity::none().plus(size);
         let computed = (form.subject.value)(&point.inputs);

@@ -6,7 +6,7 @@ use num_traits::{Signed, Zero};
 /// Unit roundoff of `f64`, 2⁻⁵³.
 pub(crate) const U: f64 = f64::EPSILON / 2.0;
 
-/// Σ |∂y/∂xᵢ · xᵢ|: by how much y changes when every input changes by one part.
+/// Σ |∂y/∂xᵢ · xᵢ|: the change of y caused by a relative change of 1 in every input.
 #[derive(Clone, Copy, Debug)]
 pub struct Sensitivity(Octuple);
 
@@ -17,23 +17,23 @@ impl Sensitivity {
         Self(terms.fold(Octuple::zero(), |sum, term| sum + term))
     }
 
-    /// Of what no input changes.
+    /// For a number that depends on no input.
     pub(crate) fn none() -> Self {
         Self(Octuple::zero())
     }
 
-    /// Together with |y| itself.
+    /// The sum with |y| itself.
     #[must_use]
     pub fn plus(self, y: Octuple) -> Self {
         Self(self.0 + y.abs())
     }
 
-    /// Of this number times another one.
+    /// For this number multiplied by a factor.
     pub(super) fn times(self, factor: f64) -> Self {
         Self((self.0 * factor).abs())
     }
 
-    /// Of the sum of this number and another one, at most.
+    /// An upper bound for the sum of this number and another one.
     pub(super) fn and(self, other: Self) -> Self {
         Self(self.0 + other.0)
     }
@@ -43,7 +43,7 @@ impl Sensitivity {
         self.0
     }
 
-    /// The deviation relative to this; 0 where there is none, ∞ where it is NaN.
+    /// The deviation relative to this; 0 if there is none, ∞ if it is NaN.
     pub fn share_of(self, deviation: Octuple) -> f64 {
         if deviation.is_zero() {
             return 0.0;
@@ -52,7 +52,7 @@ impl Sensitivity {
         if share.is_nan() { f64::INFINITY } else { share }
     }
 
-    /// Per size of an input.
+    /// Divided by the size of an input.
     pub fn per(self, size: Octuple) -> Octuple {
         self.0 / size
     }
@@ -60,14 +60,14 @@ impl Sensitivity {
 
 /// Backward error of a computed number in units of u = 2⁻⁵³: η = |ŷ − y| / (u (Σᵢ |∂y/∂xᵢ · xᵢ| + |y|)).
 ///
-/// An algorithm with η of a few does as well as its inputs allow, however ill-conditioned the problem is. Half the
-/// smallest subnormal is added to the denominator, since no double is closer to an exact result than that.
-/// A computed NaN has η = ∞.
+/// An algorithm with a small η is as accurate as its inputs allow, however ill-conditioned the problem is. Half the
+/// smallest subnormal is added to the denominator, since no double is closer to an exact result than that. A computed
+/// NaN has η = ∞.
 pub fn eta(computed: f64, exact: Octuple, sensitivity: Sensitivity) -> f64 {
     eta_beside(computed, exact, sensitivity.plus(exact))
 }
 
-/// The same of a number that is judged by the size of another one, |y| and what inputs do to it.
+/// The same for a number judged by the size of another one, |y| plus its sensitivity.
 pub(super) fn eta_beside(computed: f64, exact: Octuple, other: Sensitivity) -> f64 {
     let deviation = (Octuple::from(computed) - exact).abs();
     if deviation.is_zero() && !other.0.is_nan() {
@@ -103,7 +103,7 @@ mod tests {
         assert_eq!(relative(f64::NAN.into(), 1.0.into()), f64::INFINITY);
     }
 
-    /// Of x y at (3, −4), whose gradient is (−4, 3).
+    /// For x y at (3, −4), whose gradient is (−4, 3).
     fn of_product() -> Sensitivity {
         Sensitivity::new(&[-4.0, 3.0].map(Octuple::from), &[3.0, -4.0].map(Octuple::from))
     }
@@ -134,7 +134,7 @@ mod tests {
         assert_eq!(eta_of(f64::NAN, one, 0.0), f64::INFINITY);
     }
 
-    /// No double is nearer to half the smallest one than 0 and it are.
+    /// No double is nearer to half of the smallest one than 0 and the smallest one.
     #[test]
     fn a_backward_error_at_nothing_is_in_halves_of_the_smallest_double() {
         let smallest = f64::from_bits(1);

@@ -1,4 +1,4 @@
-//! The claim that nothing overflows at inputs of a size that the formula states, at inputs drawn to break it.
+//! The claim that nothing overflows for inputs of the sizes that the formula states, checked at inputs drawn to break it.
 
 use super::claim::Claim;
 use super::point::{Names, Point};
@@ -7,11 +7,11 @@ use super::subject::Subject;
 use crate::formula::Finite;
 use crate::number::power::{exponent, power_of_two};
 
-/// So many drawn from each point of the audit.
+/// The number of draws from each point of the audit.
 const DRAWS: usize = 4;
 
-/// What the formula says of overflow, checked at inputs made of these points, before which there are so many others; `None` where
-/// it says nothing.
+/// The formula's claim about overflow, checked at inputs derived from these points, which `before` others precede;
+/// `None` if there is no such claim.
 pub(super) fn claim(subject: &Subject, names: &Names, points: &[Point], before: usize, seed: u64) -> Option<Claim> {
     let smallest = match subject.spec.finite {
         Finite::Unknown => return None,
@@ -46,7 +46,7 @@ pub(super) fn claim(subject: &Subject, names: &Names, points: &[Point], before: 
     Some(claim)
 }
 
-/// A source of inputs at the limits of what is stated.
+/// A source of inputs at the limits of the stated sizes.
 struct Extremes {
     sampler: Sampler,
     smallest: f64,
@@ -57,7 +57,7 @@ impl Extremes {
         format!("extremes of {from}, from {:e} on", self.smallest)
     }
 
-    /// Draws for so many points of so many components, whatever these are.
+    /// Skips the draws for this many points and components; they do not depend on the components' values.
     fn skip(&mut self, points: usize, components: usize) {
         let point = vec![0.0; components];
         for _ in 0..points {
@@ -66,7 +66,7 @@ impl Extremes {
     }
 
     /// The point with some components replaced: by 0, by another component or nearly that, so that they cancel, by the
-    /// smallest and the largest number allowed, and by any number between these.
+    /// smallest and the largest number allowed, and by any number in between.
     fn beside(&mut self, point: &[f64]) -> Vec<f64> {
         let often = 1 + self.sampler.below(8);
         let mut inputs = point.to_vec();
@@ -95,7 +95,7 @@ impl Extremes {
         if self.sampler.below(2) == 0 { size } else { -size }
     }
 
-    /// Every power of two equally likely.
+    /// Every power of two is equally likely.
     fn between(&mut self) -> f64 {
         let drawn = self.sampler.whole(exponent(self.smallest)..=exponent(Finite::LARGEST) - 1);
         power_of_two(drawn) * (1.0 + self.sampler.unit())
@@ -164,7 +164,7 @@ mod tests {
         assert!(below.ends_with("from 2.2250738585072014e-308 on"), "{below}");
     }
 
-    /// Where a divisor is 0 or negative, which is not allowed, nothing is looked at.
+    /// Inputs with a divisor that is 0 or negative are not allowed, and are skipped.
     #[test]
     fn nothing_overflows_where_inputs_are_large_enough() {
         let held = claimed::<Power<false, false>>(0, 20).expect("something is stated");
@@ -213,7 +213,7 @@ mod tests {
             for x in neighbours.chain(ends) {
                 assert!(is_there(x) && is_there(-x), "{x} is never drawn");
             }
-            // Some are left as they are, and of some everything is replaced.
+            // Some are left unchanged, and in some everything is replaced.
             assert!(drawn.iter().any(|inputs| inputs == &point));
             assert!(drawn.iter().any(|inputs| inputs.iter().zip(point).all(|(x, old)| *x != old)));
         }

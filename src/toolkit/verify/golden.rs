@@ -1,8 +1,8 @@
 //! Golden files: the cases of a formula with their exact results, to test any code in any language against.
 //!
 //! Values and Jacobians are computed in 237 bits and rounded once to the nearest double, so that a file has the same
-//! bytes on every machine. Beside each number stands its scale, so that a port can be judged by the backward error η
-//! without a derivative of its own.
+//! bytes on every machine. Each number is accompanied by its scale, so that a port can be judged by the backward error
+//! η without a derivative of its own.
 
 mod compare;
 mod file;
@@ -26,14 +26,14 @@ pub(super) use layout::render;
 use numbers::named_jacobian;
 pub(super) use numbers::{double, four_digits_up, number};
 
-/// So many points are drawn for each that is taken, so that no side of a comparison is left to chance.
+/// The number of points drawn for each one selected, so that every branch is covered.
 const CANDIDATES: usize = 4;
 /// At least this many cases drawn at random.
 pub const LEAST_RANDOM: usize = 16;
 /// The seed of the random cases.
 const SEED: u64 = 0;
 
-/// The golden file of `F`, computed now, with at least so many cases drawn at random; the committed ones have
+/// The golden file of `F`, computed now, with at least `least_random` random cases; the committed files have
 /// [`LEAST_RANDOM`].
 pub fn file<F: Proved>(least_random: usize) -> File {
     of(&Subject::of::<F>(), least_random)
@@ -65,13 +65,13 @@ pub(super) fn describe(fields: &[Field]) -> Vec<Description> {
     fields.iter().map(description).collect()
 }
 
-/// All cases of a formula: its own, random ones, and every way to be invalid.
+/// All cases of a formula: its own, random ones, and every kind of invalid input.
 pub(crate) fn cases(subject: &Subject, least_random: usize) -> Vec<Case<Vec<f64>>> {
     let own = (subject.cases)().len();
     cases_with(subject, least_random.max(LEAST_CASES.saturating_sub(own)))
 }
 
-/// The same with so many random ones.
+/// The same with a given number of random cases.
 pub(super) fn cases_with(subject: &Subject, random: usize) -> Vec<Case<Vec<f64>>> {
     let mut cases = (subject.cases)();
     let mut sampler = Sampler::for_formula(subject.spec.id, SEED);
@@ -146,7 +146,7 @@ fn record(subject: &Subject, case: &Case<Vec<f64>>) -> Record {
     record
 }
 
-/// Of every number y, with its gradient, Σᵢ |∂y/∂xᵢ · xᵢ| + |y|: rounded up to four digits.
+/// Σᵢ |∂y/∂xᵢ · xᵢ| + |y| for every number y with its gradient, rounded up to four digits.
 fn scales<'a>(numbers: &[Octuple], gradients: impl Iterator<Item = &'a [Octuple]>, inputs: &[Octuple]) -> Vec<f64> {
     let scale = |(&y, gradient): (&Octuple, _)| Sensitivity::new(gradient, inputs).plus(y).size();
     numbers.iter().zip(gradients).map(scale).map(|scale| four_digits_up(scale.to_f64())).collect()
@@ -185,7 +185,7 @@ mod tests {
         }
     }
 
-    /// The last component of every field is the one that is wrong.
+    /// The last component of every field is the invalid one.
     #[test]
     fn every_input_is_tried_outside_its_domain() {
         let subject = Subject::of::<crate::connector::slot::Constraint>();
@@ -209,7 +209,7 @@ mod tests {
         let stop = Subject::of::<Stop>();
         let refused = (stop.invalid_cases)();
         assert!(!refused.is_empty() && cases(&stop, LEAST_RANDOM).ends_with(&refused));
-        // Where a formula has many of its own, some are random nevertheless.
+        // A formula with many cases of its own still gets some random ones.
         let mut many = subject;
         many.cases = || vec![Case::hand("a", "", vec![1.0, 0.5, 4.0]); LEAST_CASES];
         let random = |least| cases(&many, least).iter().filter(|case| case.flag == Flag::Random).count();

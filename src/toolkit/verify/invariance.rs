@@ -1,4 +1,4 @@
-//! The laws that every formula obeys: dimensional homogeneity and frame indifference.
+//! The laws that every formula satisfies: dimensional homogeneity and frame indifference.
 
 use super::sample::rotation;
 use super::subject::{Law, Subject};
@@ -10,7 +10,7 @@ use crate::formula::quantity::{Domain, Shape, Unit};
 use crate::number::scalar::direction;
 use num_traits::{One, Signed, Zero};
 
-/// The laws that every formula obeys.
+/// The laws that every formula satisfies.
 pub(crate) fn of_all(subject: &Subject) -> Vec<Law> {
     let (inputs, outputs, value) = (subject.inputs, subject.outputs, subject.exact_value);
     let homogeneity = Law {
@@ -23,7 +23,7 @@ pub(crate) fn of_all(subject: &Subject) -> Vec<Law> {
         sides: Box::new(move |i| {
             let reach = reach(inputs, i);
             let sides = value(&moved(inputs, i, reach)).into_iter().zip(moved(outputs, &value(i), reach));
-            // Cancellation leaves a rounding of the inputs' size in outputs of any size.
+            // Cancellation leaves rounding errors proportional to the inputs, in outputs of any size.
             let size = i.iter().fold(Octuple::from(1.0), |size, x| size + x.abs());
             sides.map(|(left, right)| Equation { left, right, scale: size * size + left.abs() }).collect()
         }),
@@ -40,7 +40,7 @@ pub(super) fn rescale(fields: &[Field], components: &[Octuple]) -> Vec<Octuple> 
     components.iter().zip(factors).map(|(&x, factor)| x * factor).collect()
 }
 
-/// The largest coordinate of a point, or 1: the translation is in proportion, lest it swallow a small model.
+/// The largest coordinate of a point, or 1: the translation is proportional to it, so that it does not swamp a small model.
 pub(super) fn reach(fields: &[Field], components: &[Octuple]) -> Octuple {
     let is_point = fields.iter().flat_map(|field| vec![field.quantity.domain == Domain::Point; field.len()]);
     let coordinates = components.iter().zip(is_point).filter(|(_, is_point)| *is_point).map(|(x, _)| x.abs());
@@ -50,7 +50,7 @@ pub(super) fn reach(fields: &[Field], components: &[Octuple]) -> Octuple {
         .unwrap_or_else(Octuple::one)
 }
 
-/// Turns vectors and matrices, and turns and moves points.
+/// Rotates vectors and matrices, and rotates and translates points.
 pub(super) fn moved(fields: &[Field], components: &[Octuple], reach: Octuple) -> Vec<Octuple> {
     let mut rest = components;
     let mut result = Vec::new();
@@ -76,7 +76,7 @@ fn move_part(part: &[Octuple], domain: Domain, shape: Shape, reach: Octuple) -> 
     };
     let translation = [1.25, -7.0, 3.5].map(|x| reach * x);
     if let [rows, _] = *shape.dimensions() {
-        // Row i, column j is of both axes.
+        // Row i and column j are combinations of both axes.
         let turned = |row: usize, column: usize| {
             let product = |k: usize| part[k] * triad[k / rows][row] * triad[k % rows][column];
             (0..part.len()).map(product).fold(Octuple::zero(), |sum, x| sum + x)
@@ -125,7 +125,7 @@ mod tests {
         assert_eq!(reach(&fields[..1], &exact(&[9.0])), 1.0);
     }
 
-    /// What a field becomes where a model of this reach is moved.
+    /// The value of a field after a model of this reach has moved.
     fn after(quantity: &'static Quantity, numbers: &[f64], reach: f64) -> Vec<Octuple> {
         moved(&[Field::new("field", quantity)], &exact(numbers), reach.into())
     }
@@ -141,12 +141,12 @@ mod tests {
         assert_close(&after(&XA, &[0.0; 3], 2.0), &exact(&[2.5, -14.0, 7.0]));
         assert_close(&after(&XA_PLANE, &[0.0; 2], 2.0), &exact(&[2.5, -14.0]));
         assert_close(&after(&FORCE, &[0.0; 3], 2.0), &exact(&[0.0; 3]));
-        // Numbers, and components in a triad, stay as they are.
+        // Numbers, and components in a triad, stay the same.
         assert_close(&after(&X, &[3.0], 2.0), &exact(&[3.0]));
         assert_close(&after(&D0, &[3.0, 4.0, 5.0], 2.0), &exact(&[3.0, 4.0, 5.0]));
     }
 
-    /// The lengths of what is turned and the angles between are kept, and it is turned by a right-handed rotation.
+    /// Lengths of and angles between rotated vectors are preserved, and the rotation is right-handed.
     #[test]
     fn vectors_are_turned() {
         let of = |numbers: [f64; 3]| after(&FORCE, &numbers, 1.0);
@@ -163,7 +163,7 @@ mod tests {
         assert_close(&after(&FORCE_M_PLANE, &[0.0, 1.0], 1.0), &[-s, c]);
     }
 
-    /// A matrix a bᵀ becomes that of the turned a and b.
+    /// A matrix a bᵀ becomes that of the rotated a and b.
     #[test]
     fn matrices_are_turned_on_both_sides() {
         fn check<const N: usize>(matrix: &'static Quantity, vector: &'static Quantity, [a, b]: [[f64; N]; 2]) {
@@ -196,7 +196,7 @@ mod tests {
             assert_eq!(sides.len(), 3);
             assert!(sides.iter().all(|equation| residual(equation) < 1e-60), "{}: {sides:?}", law.statement);
             if law.statement.starts_with("frame") {
-                // The square of 1 and the sum of all inputs, and the value itself: (4, 3, −1).
+                // The square of the sum of 1 and all inputs, plus the value itself: (4, 3, −1).
                 let scales: Vec<_> = sides.iter().map(|equation| equation.scale.to_f64()).collect();
                 assert_eq!(scales, [26.0 * 26.0 + 4.0, 26.0 * 26.0 + 3.0, 26.0 * 26.0 + 1.0]);
             }

@@ -9,7 +9,7 @@ pub(super) type Sweep<T> = formula::Jet<T>;
 /// A function of components, in dual numbers.
 type Swept<'a, T> = dyn Fn(&[Sweep<T>]) -> Vec<Sweep<T>> + 'a;
 
-/// The derivative of every entry of the closed-form Jacobian: a row per output and input, in order.
+/// The derivative of every entry of the closed-form Jacobian: one row per output and input, in order.
 pub fn derivative_of_jacobian<F: Formula, T: Scalar>(i: &F::Inputs<T>) -> Vec<Vec<T>> {
     differentiate(&i.components(), &jacobian::<F, _>)
 }
@@ -29,7 +29,7 @@ pub(super) fn differentiate<T: Scalar>(inputs: &[T], function: &Swept<'_, T>) ->
     rows
 }
 
-/// Unlike a zero derivative, none at all costs no arithmetic.
+/// Unlike a zero derivative, an absent one costs no arithmetic.
 fn seed<T: Scalar>(x: T, direction: Option<usize>) -> Sweep<T> {
     match direction {
         Some(direction) if direction < WIDTH => Sweep::from_re(x).derivative(direction),
@@ -47,7 +47,7 @@ pub(super) fn jacobian<F: Formula, T: Scalar>(i: &[T]) -> Vec<T> {
     entries(&F::jacobian(&typed(i)))
 }
 
-/// As [`jacobian`], where an automatic one goes through slices: that is compiled once, and not for every formula.
+/// Like [`jacobian`], except that an automatic one uses slices, which are compiled once instead of for every formula.
 pub(super) fn exact_jacobian<F: Formula, T: Scalar>(i: &[T]) -> Vec<T> {
     if const { F::SPEC.is_closed() } { jacobian::<F, T>(i) } else { differentiate(i, &value::<F, _>).concat() }
 }
@@ -57,7 +57,7 @@ mod tests {
     use super::*;
     use crate::connector::slot::{ContactForce, CrossForces};
 
-    /// Of √(x² + y²): y²/r³, −x y/r³, x²/r³.
+    /// For √(x² + y²): y²/r³, −x y/r³, x²/r³.
     #[test]
     fn derivatives_of_a_jacobian_are_second_derivatives() {
         let found = derivative_of_jacobian::<ContactForce, f64>(&CrossForces { f2: 3.0, f3: 4.0 });

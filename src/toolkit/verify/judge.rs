@@ -1,4 +1,4 @@
-//! What is exact at a point, to judge the answers of another program by.
+//! The exact results at a point, by which the results of another program are judged.
 
 use super::audit::beside_kinks;
 use super::point::Options;
@@ -7,7 +7,7 @@ use super::{Sampler, Sensitivity, eta, exact, golden};
 use crate::formula::proof::{Convention, Proved};
 use crate::{Error, Octuple};
 
-/// Judges what another program answers for a formula.
+/// Judges the results of another program for a formula.
 ///
 /// ```
 /// use jointproof::connector::slot::ContactForce;
@@ -22,19 +22,19 @@ pub struct Judge {
     subject: Subject,
 }
 
-/// What is exact at a point.
+/// The exact results at a point.
 #[derive(Clone, Debug)]
 pub struct Truth {
     /// The components of the value.
     pub value: Vec<Known>,
-    /// The entries of the Jacobian, output by output; `None` where they are not asked for, and on a
-    /// [switch](Convention::Switch), where either side's are as good.
+    /// The entries of the Jacobian, output by output; `None` if they are not requested, and on a
+    /// [switch](Convention::Switch), where those of either side are acceptable.
     pub jacobian: Option<Vec<Known>>,
     /// The condition of the kink that the point is on, in LaTeX, and the convention there.
     pub kink: Option<(String, Convention)>,
 }
 
-/// A number in 237 bits, and how much it changes with the inputs.
+/// A number in 237 bits, and its sensitivity to the inputs.
 #[derive(Clone, Copy, Debug)]
 pub struct Known {
     /// The number.
@@ -43,24 +43,24 @@ pub struct Known {
 }
 
 impl Known {
-    /// The backward error of a number that was computed.
+    /// The backward error of a computed number.
     pub fn eta(&self, computed: f64) -> f64 {
         eta(computed, self.exact, self.sensitivity)
     }
 
-    /// Another number that changes as this one does.
+    /// Another number with the same sensitivity.
     #[must_use]
     pub fn with(self, exact: Octuple) -> Self {
         Self { exact, ..self }
     }
 
-    /// This number times another one.
+    /// This number multiplied by another one.
     #[must_use]
     pub fn times(self, factor: f64) -> Self {
         Self { exact: self.exact * factor, sensitivity: self.sensitivity.times(factor) }
     }
 
-    /// A sum of products with doubles, whose size is the sum of the sizes.
+    /// A linear combination with double coefficients, whose size is the sum of the sizes of its terms.
     pub fn combined(terms: impl Iterator<Item = (Self, f64)>) -> Self {
         let none = Self { exact: Octuple::from(0.0), sensitivity: Sensitivity::none() };
         terms.fold(none, |sum, (known, factor)| {
@@ -72,7 +72,7 @@ impl Known {
 }
 
 impl Judge {
-    /// Of this formula.
+    /// For this formula.
     pub fn of<F: Proved>() -> Self {
         Self::about(Subject::of::<F>())
     }
@@ -81,7 +81,7 @@ impl Judge {
         Self { subject }
     }
 
-    /// Points to ask for, each with its name: golden cases, also those that must be refused, points on and beside kinks, and
+    /// Test points with names: golden cases, including those that must be rejected, points on and near kinks, and
     /// random ones.
     pub fn points(&self, options: &Options) -> Vec<(String, Vec<f64>)> {
         let cases = golden::cases(&self.subject, golden::LEAST_RANDOM).into_iter().map(|case| (case.id, case.inputs));
@@ -91,10 +91,10 @@ impl Judge {
         cases.chain(beside_kinks(&self.subject)).chain(random).collect()
     }
 
-    /// What is exact at these components, with the Jacobian by automatic differentiation or without it.
+    /// The exact results at these components, optionally with the Jacobian by automatic differentiation.
     ///
     /// # Errors
-    /// Why they are refused.
+    /// The reason why they are rejected.
     pub fn at(&self, components: &[f64], with_jacobian: bool) -> Result<Truth, Error> {
         let expected = self.subject.inputs.iter().map(crate::formula::Field::len).sum();
         if components.len() != expected {
@@ -132,7 +132,7 @@ mod tests {
         Known { exact, sensitivity: Sensitivity::new(&[gradient], &[1.0.into()]) }
     }
 
-    /// How large η is of what is off by 2⁻⁵³.
+    /// η of a number that is off by 2⁻⁵³.
     fn eta_beside(known: Known) -> f64 {
         known.eta(known.exact.to_f64() + f64::EPSILON / 2.0)
     }
@@ -145,7 +145,7 @@ mod tests {
         assert!(other.exact == 0.25 && eta_beside(other) == 1.0 / 1.75);
         let times = known(0.25, 0.75).times(-2.0);
         assert!(times.exact == -0.5 && eta_beside(times) == 0.5);
-        // 0.5 · 3 − 0.25 · 4, of which every term has its size and what its number changes.
+        // 0.5 · 3 − 0.25 · 4, where each term has its size and the sensitivity of its number.
         let sum = Known::combined([(known(0.5, 0.5), 3.0), (known(0.25, 1.0), -4.0)].into_iter());
         assert!(sum.exact == 0.5 && eta_beside(sum) == 1.0 / (0.5 + 1.5 + 1.5 + 1.0 + 4.0));
     }
@@ -171,7 +171,7 @@ mod tests {
         assert_eq!((truth.value.len(), jacobian.len()), (1, 2));
         assert!(truth.kink.is_none());
         assert_eq!(truth.value[0].exact, 5.0);
-        // 16 roundings, of 5 and as much for the inputs; x/r changes by 2 x y²/r³, and y/r by 2 x² y/r³.
+        // 16 roundings, relative to 5 and as much for the inputs; the sensitivity of x/r is 2 x y²/r³, that of y/r is 2 x² y/r³.
         assert_eq!(truth.value[0].eta(5.0 + 8.0 * f64::EPSILON), 1.6);
         for (known, number, bend) in [(jacobian[0], 0.6, 0.768), (jacobian[1], 0.8, 0.576)] {
             let roundings = 1e-9 / (f64::EPSILON / 2.0);

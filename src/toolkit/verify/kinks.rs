@@ -1,7 +1,7 @@
-//! Kinks: where value or derivative jumps is found, and must be registered.
+//! Kinks: points where value or derivative jumps are found, and must be registered.
 //!
-//! Every comparison and every guarded zero in the graph of a formula is a candidate. Inputs are solved for that are just
-//! on it, and one-sided differences there tell whether the derivative jumps. Where it does, a registered kink must hold.
+//! Every comparison and every guarded zero in the graph of a formula is a candidate. The toolkit solves for inputs exactly on it,
+//! and one-sided differences there show whether the derivative jumps. If it does, a registered kink must hold.
 
 mod candidate;
 mod coverage;
@@ -29,39 +29,39 @@ use super::point::{Names, Point};
 use super::subject::Subject;
 use serde::{Deserialize, Serialize};
 
-/// So many random points are started from before the named ones.
+/// The number of random starting points used before the named ones.
 const FEW: usize = 6;
 
-/// So many random points kinks are searched from.
+/// The number of random points from which kinks are searched.
 pub(super) const STARTS_AT: usize = 1000;
 
-/// How kinks of a formula were looked for.
+/// How kinks of a formula were searched for.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Looked {
     /// In its graph, and at named points.
     Graph {
-        /// What was found.
+        /// The result of the search.
         search: Search,
-        /// Which sides of its comparisons the points of the audit took.
+        /// The branches taken by the points of the audit.
         coverage: Coverage,
     },
-    /// At named points alone, since its graph does not tell.
+    /// At named points only, since its graph cannot be used.
     NamedPoints {
-        /// Why.
+        /// The reason.
         why: String,
     },
 }
 
-/// By how much the derivative of an output by an input jumps at a point; 0 where only one side is in the domain.
+/// The jump of the derivative of an output with respect to an input at a point; 0 if only one side is in the domain.
 pub(super) fn jump(point: &Point, output: usize, input: usize) -> f64 {
     let neighbourhood = Neighbourhood::new(point.subject, &point.exact);
     let (inner, _) = neighbourhood.sides(&[input]);
     if inner.is_empty() { 0.0 } else { neighbourhood.each_across(&neighbourhood.axis(input))[output].size }
 }
 
-/// Looks for kinks in the graph of a formula, and records in the claim what is not registered. Which sides of comparisons were
-/// taken is not known yet.
+/// Searches for kinks in the graph of a formula, and records unregistered ones in the claim. The coverage of
+/// comparisons is filled in later.
 pub(super) fn look(subject: &Subject, names: &Names, [named, random]: [&[Point]; 2], claim: &mut Claim) -> Looked {
     let graph = match subject.telling_graph() {
         Ok(graph) => graph,
@@ -71,13 +71,13 @@ pub(super) fn look(subject: &Subject, names: &Names, [named, random]: [&[Point];
     let starts: Vec<_> = random.iter().take(FEW).chain(named).chain(random.iter().skip(FEW)).collect();
     let search = search::search(subject, graph, names, &starts, claim);
     if search.candidates == 0 {
-        // That there is no such place is what was checked.
+        // What was checked is that there is no unregistered kink.
         claim.checks += 1;
     }
     Looked::Graph { search, coverage: Coverage::default() }
 }
 
-/// How the comparisons in the graph of a formula came out at points; none where the graph does not tell.
+/// The outcomes of the comparisons in the graph of a formula at points; none if the graph cannot be used.
 pub(super) fn comparisons<'a>(
     subject: &Subject,
     names: &Names,
@@ -113,11 +113,11 @@ mod tests {
         let of = |y, output, input| jump(&point(&subject, &[0.0, y, 1.0]), output, input);
         assert_eq!([of(2.0, 1, 0), of(2.0, 0, 0)], [2.0 / 3.0, 0.0]);
         assert!(of(2.0, 0, 1) < SMOOTH && of(2.0, 1, 1) == 0.0);
-        // There is nothing on the other side.
+        // There is no other side.
         assert_eq!(of(0.0, 0, 1), 0.0);
     }
 
-    /// A formula that is smooth, and of whose graph this is the value.
+    /// A smooth formula whose value has this graph.
     fn with_graph(record: fn() -> Cow<'static, Result<Graph, NotRecorded>>) -> Subject {
         let mut subject = planted(|i| vec![i[0], i[1]], |_| exact(&[1.0, 0.0, 0.0, 0.0, 1.0, 0.0]));
         subject.record = record;
@@ -133,7 +133,7 @@ mod tests {
         })
     }
 
-    /// What is found from named and random points at which c is so.
+    /// What is found from named and random points with these values of c.
     fn looked(subject: &Subject, [named, random]: [&[f64]; 2]) -> (Looked, Claim) {
         let points = |all: &[f64]| all.iter().map(|&c| point(subject, &[4.0, 1.0, c])).collect::<Vec<_>>();
         let mut claim = Claim::new("kinks are registered", SMOOTH);
@@ -153,7 +153,7 @@ mod tests {
         assert_eq!(first(|_| Ok(())), (3, json!(1.0)));
         assert_eq!(first(|i| only_where(i[2] >= 16.0)), (3, json!(16.0)));
         assert_eq!(first(|i| only_where(i[2] >= 32.0)), (3, json!(32.0)));
-        // Of the seventh and the named one.
+        // From the seventh random point and the named one.
         assert_eq!(first(|i| only_where(i[2] >= 64.0)), (2, json!(256.0)));
         assert_eq!(first(|i| only_where(i[2] == 64.0)), (1, json!(64.0)));
     }

@@ -1,8 +1,8 @@
 //! The toolkit that proves a formula: sampler, automatic differentiation, exact reference, error measure, laws, audit
 //! and golden files.
 //!
-//! Everything here takes any type that implements [`Proved`], so that a formula of another crate is audited by the same
-//! machinery:
+//! Everything here accepts any type that implements [`Proved`], so that formulas of other crates are audited in the
+//! same way:
 //!
 //! ```
 //! use jointproof::formula::{Component, Document, Formula, Jacobian, Spec};

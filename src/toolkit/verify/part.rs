@@ -1,5 +1,5 @@
-//! Parts of an audit, for many machines: each draws the same random points and audits its share of them, and what follows one
-//! another is joined, in whatever groups, to the audit of one machine.
+//! Parts of an audit, for several machines: each draws the same random points and audits its share of them.
+//! Consecutive parts are merged, in any grouping, into the audit of a single machine.
 
 use super::audit::{Audit, audit_share};
 use super::claim::Claim;
@@ -20,10 +20,10 @@ pub fn audit_part<F: Proved>(options: &Options, shard: Shard) -> Part {
     Part::of(&Subject::of::<F>(), options, shard)
 }
 
-/// A part of the audit of one formula, or several that follow one another.
+/// A part of the audit of one formula, or several consecutive parts.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Part {
-    /// The first and the last part in it, counted from 1.
+    /// The first and the last part it contains, counted from 1.
     shards: [usize; 2],
     of: usize,
     samples: usize,
@@ -32,7 +32,7 @@ pub struct Part {
 }
 
 impl Part {
-    /// What an audit finds at this share of the random points, and with the first share at all others.
+    /// Audits this share of the random points and, with the first share, all other points.
     pub(crate) fn of(subject: &Subject, options: &Options, shard: Shard) -> Self {
         let (audit, comparisons) = audit_share(subject, options, shard);
         Self { shards: [shard.index; 2], of: shard.of, samples: options.samples, audit, comparisons }
@@ -43,15 +43,15 @@ impl Part {
         &self.audit.formula
     }
 
-    /// The place of its first part, counted from 1, by which parts are sorted.
+    /// The index of its first part, counted from 1, by which parts are sorted.
     pub fn first(&self) -> usize {
         self.shards[0]
     }
 
-    /// With the part that follows.
+    /// Merges this part with the next.
     ///
     /// # Errors
-    /// That it is a part of another audit, or does not follow.
+    /// If it is a part of another audit, or not the next one.
     pub fn and(self, next: Self) -> Result<Self, PartError> {
         let audits = |part: &Self| (part.audit.formula.clone(), part.audit.seed, part.samples, part.of);
         if audits(&self) != audits(&next) {
@@ -79,7 +79,7 @@ impl Part {
     /// The audit, if these are all of its parts.
     ///
     /// # Errors
-    /// Which parts are missing.
+    /// The parts that are missing.
     pub fn into_audit(self) -> Result<Audit, PartError> {
         let Self { shards: [first, last], of, .. } = self;
         if (first, last) != (1, of) {
@@ -88,7 +88,7 @@ impl Part {
         Ok(self.told())
     }
 
-    /// The audit, which tells which sides of comparisons were taken.
+    /// The audit, with the coverage of comparisons filled in.
     pub(crate) fn told(self) -> Audit {
         let mut audit = self.audit;
         if let Some(Looked::Graph { coverage, .. }) = &mut audit.looked {
@@ -99,7 +99,7 @@ impl Part {
 }
 
 impl Audit {
-    /// With what was found at points that follow.
+    /// Merges this with the results at further points.
     fn and(self, next: Self) -> Self {
         Self {
             formula: self.formula,
@@ -124,12 +124,12 @@ impl Audit {
     }
 }
 
-/// The same claims, with what was found of each at points that follow.
+/// The same claims, each merged with its checks at further points.
 fn one_by_one(claims: Vec<Claim>, next: Vec<Claim>) -> Vec<Claim> {
     claims.into_iter().zip(next).map(|(one, next)| one.and(next)).collect()
 }
 
-/// What was found of something by one part or by both.
+/// Merges the results of two parts, if both have one.
 fn either<T>(one: Option<T>, next: Option<T>, and: impl FnOnce(T, T) -> T) -> Option<T> {
     match (one, next) {
         (Some(one), Some(next)) => Some(and(one, next)),
@@ -149,7 +149,7 @@ mod tests {
         assert_eq!((joined(Some(1), None), joined(None, Some(2)), joined(None, None)), (Some(1), Some(2), None));
     }
 
-    /// Parts of these places, in which so many things were counted.
+    /// Consecutive parts with these indices, with `count` checks each.
     fn part(shards: [usize; 2], of: usize, samples: usize, count: usize) -> Part {
         let shard = Shard::new(2, 2).expect("there is one");
         let mut part = audit_part::<ReturnMap>(&Options { samples: 0, seed: 1 }, shard);

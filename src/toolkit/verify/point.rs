@@ -1,4 +1,4 @@
-//! A point at which claims are checked, and the names of what is compared there.
+//! A point at which claims are checked, and the names of the numbers compared there.
 
 use super::claim::Deviation;
 use super::sample::Sampler;
@@ -9,17 +9,17 @@ use crate::formula::Field;
 use crate::formula::proof::Convention;
 use std::ops::Range;
 
-/// How much to audit.
+/// The extent of an audit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Options {
-    /// Random points, beside the cases and the neighbourhoods of kinks.
+    /// Random points, in addition to the cases and the neighbourhoods of kinks.
     pub samples: usize,
     /// Seed of the random points.
     pub seed: u64,
 }
 
 impl Default for Options {
-    /// A thousand points of seed 1.
+    /// A thousand points with seed 1.
     fn default() -> Self {
         Self { samples: 1000, seed: 1 }
     }
@@ -48,7 +48,7 @@ impl<'a> Point<'a> {
     }
 }
 
-/// Random points of a formula, which are the same whatever is asked for: those before are drawn, too.
+/// Random points of a formula, independent of the range requested: the points before it are drawn, too.
 pub(super) fn random_points<'a>(subject: &'a Subject, options: &Options, range: Range<usize>) -> Vec<Point<'a>> {
     let mut sampler = Sampler::for_formula(subject.spec.id, options.seed);
     let point = |(k, inputs)| Point::new(subject, format!("random {k} of seed {}", options.seed), true, inputs);
@@ -67,7 +67,7 @@ impl Names {
         Self { inputs: names(subject.inputs), outputs: names(subject.outputs) }
     }
 
-    /// Of the k-th Jacobian entry.
+    /// The name of the k-th Jacobian entry.
     pub(super) fn entry(&self, k: usize) -> String {
         let (output, input) = (k / self.inputs.len(), k % self.inputs.len());
         format!("∂{}/∂{}", self.outputs[output], self.inputs[input])

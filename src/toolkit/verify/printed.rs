@@ -1,4 +1,4 @@
-//! The printed equation at a point, in 237 bits: its values, its Jacobian, and whether what it calls smallest is so.
+//! The printed equation at a point, in 237 bits: its values, its Jacobian, and whether its minimisers are minimisers.
 
 use super::claim::{Claim, Deviation};
 use super::eta::Sensitivity;
@@ -6,15 +6,15 @@ use crate::Octuple;
 use crate::toolkit::equation::{Equation, SmallestAt};
 use num_traits::{Signed, Zero};
 
-/// The printed equation and the code agree in 237 bits to this.
+/// The tolerance between the printed equation and the code in 237 bits.
 pub(super) const EQUATION: f64 = 1e-55;
 
-/// What an equation gives.
+/// The results of an equation.
 pub(super) struct Found<'a> {
     equation: &'a Equation,
     point: Vec<Octuple>,
-    /// The derivative of the slope that vanishes by the place of something smallest, how that place moves with each
-    /// input, and by the place the derivative of each output.
+    /// The derivative of the vanishing slope with respect to the minimiser, the derivative of the minimiser with
+    /// respect to each input, and the derivative of each output with respect to the minimiser.
     curvature: Octuple,
     motion: Vec<Octuple>,
     by_place: Vec<Octuple>,
@@ -23,15 +23,15 @@ pub(super) struct Found<'a> {
     jacobian: Vec<Octuple>,
     /// Numbers that are printed as equal.
     equal: Vec<(Octuple, Octuple)>,
-    /// By how much another place is better than the one that should be best, relatively.
+    /// The relative amount by which another point is better than the supposed minimiser.
     better: Option<f64>,
 }
 
-/// So many steps between its bounds are tried for a better place.
+/// The number of steps between the bounds at which a better point is sought.
 const STEPS: u8 = 24;
 
-/// An equation at inputs. Where an output is the place of something smallest, `known` are the outputs, from which it
-/// is taken and then checked.
+/// Evaluates an equation at inputs. If an output is a minimiser, it is taken from the outputs `known` and then
+/// checked.
 pub(super) fn found<'a>(equation: &'a Equation, inputs: &[Octuple], known: &[Octuple]) -> Found<'a> {
     let point = equation.point(inputs, known);
     let mut at = equation.run(&point);
@@ -61,8 +61,8 @@ pub(super) fn found<'a>(equation: &'a Equation, inputs: &[Octuple], known: &[Oct
 }
 
 impl Found<'_> {
-    /// Compares the values, and what the equation itself says is equal or smallest. `size` says what rounding of the
-    /// inputs can do to a value.
+    /// Compares the values, and what the equation itself states to be equal or a minimiser. `size` is the sensitivity
+    /// of a value to the inputs.
     pub(super) fn record_values(
         &self,
         claim: &mut Claim,
@@ -91,8 +91,8 @@ impl Found<'_> {
         }
     }
 
-    /// Compares the Jacobian; every entry is judged against itself and, where that is too strict, against what rounding
-    /// of the inputs can do to it, its bend.
+    /// Compares the Jacobian; every entry is judged relative to itself and, where that is too strict, relative to its
+    /// sensitivity to the inputs.
     pub(super) fn record_jacobian(
         &self,
         claim: &mut Claim,
@@ -110,7 +110,7 @@ impl Found<'_> {
         }
     }
 
-    /// Against which rounding is judged: the size of the terms from which an output is summed.
+    /// The size of the terms from which an output is summed, against which rounding is judged.
     fn terms(&self, output: usize) -> Octuple {
         let terms = self.equation.terms_of_output(output, None, &self.point);
         if self.curvature.is_zero() {
@@ -119,7 +119,7 @@ impl Found<'_> {
         terms + (self.equation.terms_of_slope(None, &self.point) / self.curvature).abs()
     }
 
-    /// The same of an entry of the Jacobian.
+    /// The same for an entry of the Jacobian.
     fn terms_of_entry(&self, entry: usize) -> Octuple {
         let (output, input, place) = (entry / self.motion.len(), entry % self.motion.len(), self.motion.len());
         let direct = self.equation.terms_of_output(output, Some(input), &self.point);
@@ -133,8 +133,8 @@ impl Found<'_> {
     }
 }
 
-/// A deviation relative to the size of the number; where that would be too much, relative to the terms too from which
-/// the equation sums it: evaluated as it stands, it may lose digits that the code keeps.
+/// A deviation relative to the size of the number or, if that is too strict, also to the terms from which the equation
+/// sums it: evaluated as printed, it may lose digits that the code keeps.
 fn judged(size: Sensitivity, deviation: Octuple, terms: impl FnOnce() -> Octuple) -> f64 {
     match size.share_of(deviation) {
         share if share > EQUATION => size.plus(terms()).share_of(deviation),
@@ -142,8 +142,8 @@ fn judged(size: Sensitivity, deviation: Octuple, terms: impl FnOnce() -> Octuple
     }
 }
 
-/// The place of something smallest, by one step of Newton's method from where it is known to be, and how it moves with
-/// the inputs. At a bound it stays, if the objective rises from there.
+/// The minimiser, by one step of Newton's method from its known value, and its derivatives with respect to the inputs.
+/// At a bound it stays if the objective increases from there.
 fn settled(smallest: &SmallestAt, slopes: &[Octuple], motion: &mut [Octuple]) -> Octuple {
     let SmallestAt { place, low, high, slope, .. } = *smallest;
     let zero = Octuple::zero();
@@ -159,7 +159,7 @@ fn settled(smallest: &SmallestAt, slopes: &[Octuple], motion: &mut [Octuple]) ->
     place - slope / curvature
 }
 
-/// The relative excess of the objective over the best of some other places, 0 where none is better.
+/// The relative excess of the objective over the best of some other points, 0 if none is better.
 fn excess(equation: &Equation, smallest: &SmallestAt, mut point: Vec<Octuple>) -> Octuple {
     let last = point.len() - 1;
     let mut worst = Octuple::zero();
@@ -197,7 +197,7 @@ mod tests {
         for (place, slope) in [(-1.0, -2.0), (1.0, 2.0), (-1.5, 2.0), (1.5, -2.0)] {
             assert!(at(place, slope).0.is_nan(), "{place} {slope}");
         }
-        // A step of Newton's method, and how the place moves with each input.
+        // A step of Newton's method, and the derivative of the minimiser with respect to each input.
         assert_eq!(at(0.5, 1.0), (0.25, [-0.5, -0.75]));
     }
 
@@ -220,7 +220,7 @@ mod tests {
             (numbers.map(|numbers| numbers[0].to_f64()), found.curvature.to_f64(), found.better)
         };
         assert_eq!(at(0.25, 0.25), ([0.25, 1.0, 1.0, 1.0], 2.0, Some(0.0)));
-        // It is not where it is said to be: a step leads there, and another place is better.
+        // The minimiser is not the given one: a Newton step leads to it, and another point is better.
         let (numbers, curvature, better) = at(0.5, 0.0);
         assert_eq!((numbers, curvature), ([0.5, 1.0, 1.0, 1.0], 2.0));
         assert_eq!(better, Some(1.0));
@@ -232,8 +232,8 @@ mod tests {
         Deviation { size, entry, point, found, expected, inputs }
     }
 
-    /// What is found of the equation of a number at (3, 4), where the code has this value, which rounding of the inputs
-    /// changes by as much as it is.
+    /// The comparison of the equation of a number at (3, 4) with this value of the code, whose sensitivity equals the
+    /// value.
     fn recorded(latex: &str, value: Octuple) -> (usize, usize, Deviation) {
         let fields = [Field::new("f2", &F2), Field::new("f3", &F3)];
         let equation = Equation::read(latex, &[], &fields, &[Field::new("fc", &FC)]).expect("it can be read");
@@ -251,7 +251,8 @@ mod tests {
         let (checks, failures, worst) = recorded(ROOT, five);
         assert_eq!((checks, failures, worst.entry.as_str(), worst.found, worst.expected), (1, 0, "fc", 5.0, 5.0));
         let size = |part: f64| recorded(ROOT, five + five * part).2.size / part;
-        // Within the bound by themselves; else by twice their size; and else by the terms too, 5 or more.
+        // Within the bound relative to themselves; else relative to twice their size; and else also relative to the
+        // terms, 5 or more.
         assert!((size(5e-56) - 1.0).abs() < 1e-9);
         assert!((size(1.5e-55) - 0.5).abs() < 1e-9);
         assert!((0.05..0.4).contains(&size(1e-30)), "{}", size(1e-30));
@@ -276,13 +277,13 @@ mod tests {
             (claim.checks, claim.failures, claim.worst.expect("it was compared"))
         };
         assert_eq!(recorded(0.25, 0.25).1, 0);
-        // At the lower end, which is among those that are tried.
+        // At the lower bound, which is among the points tried.
         let (checks, failures, worst) = recorded(-1.0, -0.5);
         assert_eq!((checks, failures, worst.size, worst.expected), (2, 2, 1.0, 0.0));
         assert_eq!(worst.entry, "the objective at a better place");
     }
 
-    /// Of the root, whose first derivative is 0.6.
+    /// For the root, whose first derivative is 0.6.
     #[test]
     fn entries_of_the_jacobian_are_compared() {
         let fields = [Field::new("f2", &F2), Field::new("f3", &F3)];
@@ -303,24 +304,24 @@ mod tests {
         assert_eq!(off(1e-50).1, 1);
     }
 
-    /// By hand at x = 1/4, f = −5 and g = 1/2. Every operation is off by one rounding of its result, and by what its operands are
-    /// off, times its derivatives by them:
+    /// By hand at x = 1/4, f = −5 and g = 1/2. The error of every operation is one rounding of its result, plus the
+    /// errors of its operands times its derivatives with respect to them:
     ///
     /// | number | value | terms |
     /// |---|---|---|
     /// | u = 3 x + g | 5/4 | 5/4 + 3/4 = 2 |
     /// | u + u | 5/2 | 5/2 + 2 · 2 = 13/2 |
     /// | the slope, f (u + u) | −25/2 | 25/2 + 5 · 13/2 = 45 |
-    /// | its derivative by x, f (3 + 3) | −30 | 30 + 5 · 6 = 60 |
-    /// | by f, u + u | 5/2 | 13/2 |
-    /// | by the place, f (1 + 1) | −10 | 10 + 5 · 2 = 20 |
+    /// | its derivative with respect to x, f (3 + 3) | −30 | 30 + 5 · 6 = 60 |
+    /// | with respect to f, u + u | 5/2 | 13/2 |
+    /// | with respect to the minimiser, f (1 + 1) | −10 | 10 + 5 · 2 = 20 |
     /// | g³ = (g g) g | 1/8 | 1/8 + 1/2 · 1/4 = 1/4 |
     /// | F_C = f x − x g³ | −41/32 | 41/32 + 5/4 + (1/32 + 1/4 · 1/4) = 21/8 |
-    /// | its derivative by x, f − g³ | −41/8 | 41/8 + 1/4 = 43/8 |
-    /// | by f, x | 1/4 | 0 |
-    /// | by the place, −x (g (g + g) + g g) | −3/16 | 3/16 + 1/4 · (3/4 + (1/2 + 1/2 · 1) + 1/4) = 11/16 |
+    /// | its derivative with respect to x, f − g³ | −41/8 | 41/8 + 1/4 = 43/8 |
+    /// | with respect to f, x | 1/4 | 0 |
+    /// | with respect to the minimiser, −x (g (g + g) + g g) | −3/16 | 3/16 + 1/4 · (3/4 + (1/2 + 1/2 · 1) + 1/4) = 11/16 |
     ///
-    /// The place moves by −30/10 = −3 with x, and by (5/2)/10 = 1/4 with f.
+    /// The derivative of the minimiser with respect to x is −30/10 = −3, and with respect to f it is (5/2)/10 = 1/4.
     #[test]
     fn terms_are_those_of_a_number_and_of_the_place_that_it_depends_on() {
         let fields = [Field::new("x", &X), Field::new("f2", &F2)];
@@ -334,7 +335,7 @@ mod tests {
         let place = [&found.curvature, &found.motion[0], &found.motion[1], &found.by_place[1]].map(|x| x.to_f64());
         assert_eq!(place, [-10.0, -3.0, 0.25, -0.1875]);
         let terms: Vec<_> = (0..2).map(|k| found.terms(k)).chain((0..4).map(|k| found.terms_of_entry(k))).collect();
-        // What the number itself has, and the place, which the number changes with.
+        // The terms of the number itself, and those of the minimiser, on which the number depends.
         let by_x = (60.0 + 20.0 * 3.0) / 10.0;
         let by_f = (6.5 + 20.0 / 4.0) / 10.0;
         let expected = [4.5, 7.125, by_x, by_f, 5.375 + 0.6875 * 3.0 + by_x * 0.1875, 0.6875 / 4.0 + by_f * 0.1875];

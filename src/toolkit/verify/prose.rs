@@ -1,4 +1,4 @@
-//! What prose claims in mathematics, at the points of the formula that it is about.
+//! Mathematical claims in prose, checked at the points of the formula they are about.
 
 use super::audit::named_points;
 use super::claim::{Claim, Deviation};
@@ -14,7 +14,7 @@ use crate::toolkit::equation::{ClaimAt, Claims, Free, Setting, Signature};
 use nalgebra::Vector3;
 use num_traits::Zero;
 
-/// Checks claims about a formula at its cases, beside its kinks and at random points, in 237 bits.
+/// Checks claims about a formula at its cases, near its kinks and at random points, in 237 bits.
 pub fn claims_about<F: Proved>(claims: &Claims, options: &Options) -> Claim {
     about(&Subject::of::<F>(), claims, options)
 }
@@ -46,7 +46,7 @@ fn about(subject: &Subject, claims: &Claims, options: &Options) -> Claim {
     claim
 }
 
-/// Checks claims that are about no formula, for random numbers.
+/// Checks claims that concern no formula, for random numbers.
 pub fn claims_at_large(claims: &Claims, options: &Options) -> Claim {
     let mut sampler = Sampler::for_formula("prose", options.seed);
     let mut claim = Claim::new("prose, in 237 bits", EQUATION);
@@ -59,19 +59,19 @@ pub fn claims_at_large(claims: &Claims, options: &Options) -> Claim {
     claim
 }
 
-/// Whether the condition of a kink, as it is printed, is the one that is registered.
+/// Whether the printed condition of a kink is the registered one.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Printed {
-    /// It was executed at so many points and is.
+    /// It was executed at this many points, and is.
     Executed(usize),
-    /// It is in words.
+    /// It is written in words.
     InWords,
-    /// It cannot be read, or is another one: what is off.
+    /// It cannot be read, or is a different one: the discrepancy.
     Off(String),
 }
 
-/// Executes the printed condition of every kink: it holds on the kink, not beside it, and at each case just where the
-/// registered one does.
+/// Executes the printed condition of every kink: it must hold on the kink and not near it, and at each case exactly if
+/// the registered one does.
 pub fn kinks_as_printed<F: Proved>() -> Vec<(String, Printed)> {
     as_printed(&Subject::of::<F>())
 }
@@ -118,7 +118,7 @@ fn is_met(subject: &Subject, claims: &Claims, inputs: &[Octuple]) -> bool {
         .all(|at| if at.is_equality { share(claims, at, &point, sizes) <= EQUATION } else { at.holds })
 }
 
-/// The number that an expression about a formula is, where all inputs that it needs are put in.
+/// The value of an expression about a formula, if all inputs it needs are given.
 pub fn number_of<F: Proved>(expression: &Claims) -> Octuple {
     let subject = Subject::of::<F>();
     let count = subject.inputs.iter().map(Field::len).sum();
@@ -127,7 +127,7 @@ pub fn number_of<F: Proved>(expression: &Claims) -> Octuple {
     expression.number(&expression.point(&inputs, Some([&values, &jacobian]), &[]))
 }
 
-/// The number that an expression is, which is about no formula.
+/// The value of an expression that concerns no formula.
 pub fn number_at_large(expression: &Claims) -> Octuple {
     expression.number(&expression.point(&[], None, &[]))
 }
@@ -145,7 +145,7 @@ fn check(
     }
 }
 
-/// By how much two sides differ, relative to their size and, where that is too much, to the terms that they are made of.
+/// The difference of two sides relative to their size or, if that is too strict, also to the terms they are made of.
 fn share(claims: &Claims, at: &ClaimAt<'_>, point: &[Octuple], sizes: impl Fn() -> Vec<Octuple>) -> f64 {
     let whole = Sensitivity::new(&[], &[]).plus(at.left).plus(at.right);
     match whole.share_of(at.right - at.left) {
@@ -159,7 +159,7 @@ fn deviation(size: f64, of: &ClaimAt<'_>, point: &str, inputs: serde_json::Value
     Deviation { size, entry: of.text.into(), point: point.into(), found, expected, inputs }
 }
 
-/// What rounding does to each number of a point: nothing to inputs, which are exact, unless a triad was made orthonormal.
+/// The rounding error of each number of a point: none for inputs, which are exact, unless a triad was made orthonormal.
 fn sizes(
     subject: &Subject,
     inputs: &[Octuple],
@@ -170,7 +170,7 @@ fn sizes(
     let is_rounded = |field: &Field| triads && matches!(field.quantity.domain, Domain::Triad(..));
     let of_field = |field: &Field| vec![Octuple::from(f64::from(u8::from(is_rounded(field)))); field.len()];
     let off: Vec<_> = subject.inputs.iter().flat_map(of_field).collect();
-    // A component of a unit vector may be off by a part of 1, not of itself.
+    // The error of a component of a unit vector is relative to 1, not to itself.
     let scales: Vec<_> = inputs.iter().zip(&off).map(|(&x, &off)| if off.is_zero() { x } else { off }).collect();
     let gradients = subject.derivative(inputs);
     let bends = subject.second_derivative(inputs);
@@ -188,7 +188,7 @@ fn free(claims: &Claims, sampler: &mut Sampler) -> Vec<Octuple> {
     claims.free().iter().map(|free| sampler.number(domain(free)).into()).collect()
 }
 
-/// Each vector of a triad perpendicular to those before it, and of length 1.
+/// Makes each vector of a triad perpendicular to those before it, and of length 1.
 fn make_orthonormal(fields: &[Field], inputs: &mut [Octuple]) {
     let mut before: Vec<(crate::formula::quantity::Node, Vector3<Octuple>)> = Vec::new();
     let mut first = 0;

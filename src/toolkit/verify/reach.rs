@@ -1,7 +1,7 @@
-//! Points that take the sides of comparisons which neither named nor random points take.
+//! Points in branches that neither named nor random points take.
 //!
-//! Two ways lead to them. From a point that takes the other side, Newton's method goes to where the compared numbers are
-//! equal, and a little beyond. And inputs become special: nothing, opposite, equal to each other, tiny, huge.
+//! There are two methods. From a point in the other branch, Newton's method leads to where the compared numbers are
+//! equal, and slightly beyond. And inputs are made special: zero, opposite, equal to each other, tiny, huge.
 
 use super::branches::{Branches, Tally};
 use super::subject::Subject;
@@ -11,29 +11,29 @@ use crate::number::scalar::direction;
 use crate::toolkit::graph::{Node, Op};
 use std::ops::Range;
 
-/// So many points are started from to become special.
+/// The number of points whose inputs are made special.
 const SPECIAL_STARTS: usize = 5;
-/// So many that take a side are kept to start from towards the other.
+/// The number of points kept for each branch, as starting points towards the other.
 const STARTS: usize = 6;
-/// So often all of it is tried, since one side leads to others.
+/// The number of repetitions, since one branch leads to others.
 const ROUNDS: usize = 3;
 /// Steps of Newton's method.
 const STEPS: usize = 6;
-/// A step goes as far as the slope says, just beyond, and well beyond.
+/// Factors of the Newton step: exact, slightly longer, and clearly longer.
 const STRETCHES: [f64; 4] = [1.0, 1.0 + 1e-10, 1.1, 2.0];
-/// What a field is multiplied by. Beside a number that is far larger a kink would be nearer than the steps of differences.
+/// Factors for a field. With larger factors a kink would be nearer than the steps of differences.
 const FACTORS: [f64; 4] = [0.0, -1.0, 1e-9, 1e9];
-/// What all fields are multiplied by: products of three of them neither overflow nor underflow.
+/// Factors for all fields: products of three such numbers neither overflow nor underflow.
 const SCALES: [f64; 4] = [1e-40, 1e40, 1e-90, 1e90];
 
-/// A point, and the comparison that comes out as here at none before it.
+/// A point, and the comparison that has this outcome at no earlier point.
 pub(super) struct Reached {
     pub(super) inputs: Vec<f64>,
     pub(super) comparison: Node,
     pub(super) answer: bool,
 }
 
-/// Points that take sides which these do not.
+/// Points that take branches which the given points do not.
 pub(super) fn reach(subject: &Subject, branches: &Branches, points: &[&[f64]]) -> Vec<Reached> {
     let mut search = Search::new(subject, branches);
     for point in points {
@@ -63,7 +63,7 @@ struct Search<'a> {
     /// The components of unit vectors that are perpendicular to each other.
     triads: Vec<Vec<Range<usize>>>,
     tally: Tally,
-    /// Points that take each side of each comparison.
+    /// Points for each outcome of each comparison.
     starts: Vec<[Vec<Vec<f64>>; 2]>,
     found: Vec<Reached>,
 }
@@ -81,7 +81,7 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Keeps a point to start from, and tells the first comparison of which it takes a new side.
+    /// Keeps a starting point, and returns the first comparison for which it has a new outcome.
     fn enter(&mut self, point: &[f64]) -> Option<(Node, bool)> {
         let answers = self.branches.answers(point);
         let mut new = None;
@@ -99,7 +99,7 @@ impl<'a> Search<'a> {
         new
     }
 
-    /// Keeps a point that is valid, has finite results, and takes a new side.
+    /// Keeps a point that is valid, has finite results, and takes a new branch.
     fn visit(&mut self, point: &[f64]) {
         let is_finite = || (self.subject.linearized)(point).iter().flatten().all(|x| x.is_finite());
         if (self.subject.check)(point).is_ok()
@@ -110,7 +110,7 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// From the side that is taken to the one that is not, comparison by comparison.
+    /// Moves from a known branch to a missing one, comparison by comparison.
     fn cross(&mut self) {
         for k in 0..self.branches.comparisons.len() {
             for answer in [false, true] {
@@ -125,7 +125,7 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Newton's method towards where the numbers of a comparison are equal.
+    /// Newton's method towards equality of the numbers of a comparison.
     fn towards(&mut self, k: usize, mut point: Vec<f64>, stretch: f64) {
         let graph = self.branches.graph;
         let Op::Compare(_, x, y) = *graph.op(self.branches.comparisons[k]) else { return };
@@ -140,7 +140,7 @@ impl<'a> Search<'a> {
             for (x, slope) in point.iter_mut().zip(&slopes) {
                 *x -= stretch * (gap / steepest) / square * (slope / steepest);
             }
-            // So it is where the numbers are not finite, and where nothing changes them.
+            // This happens if the numbers are not finite, or if no input changes them.
             if point.iter().any(|x| x.is_nan()) {
                 return;
             }
@@ -179,7 +179,7 @@ impl<'a> Search<'a> {
         self.visit(&point);
     }
 
-    /// Gram and Schmidt: the vectors of every triad become unit vectors again, perpendicular to those before them.
+    /// The Gram–Schmidt process: the vectors of every triad become unit vectors again, perpendicular to those before them.
     fn make_perpendicular(&self, point: &mut [f64]) {
         for triad in &self.triads {
             for (k, axis) in triad.iter().enumerate() {

@@ -12,17 +12,17 @@ use std::ops::RangeInclusive;
 #[derive(Clone, Debug)]
 pub struct Sampler(ChaCha8Rng);
 
-/// Numbers are drawn from so many doublings below 1 to as many above.
+/// Numbers are drawn from this many doublings below 1 to as many above.
 pub(super) const DOUBLINGS: i64 = 10;
 
-/// So many draws refused one after another are no chance: `validate` and the domains contradict each other.
+/// After this many rejected draws in a row, `validate` and the domains must contradict each other.
 const DRAWS: usize = 1000;
 
-/// A triad, a row per unit vector, in space or in the plane.
+/// A triad, one row per unit vector, in space or in the plane.
 type Triad = [[f64; 3]; 3];
 
 impl Sampler {
-    /// A sampler with this seed; a formula's points do not depend on which other formulas are sampled.
+    /// A sampler with this seed; the points of a formula do not depend on which other formulas are sampled.
     pub fn new<F: Proved>(seed: u64) -> Self {
         Self::for_formula(F::SPEC.id, seed)
     }
@@ -54,7 +54,7 @@ impl Sampler {
     /// The components of valid inputs.
     ///
     /// # Panics
-    /// If the formula refuses whatever is drawn from its domains, which only its author can mend.
+    /// If the formula rejects everything drawn from its domains, which is a mistake in the formula.
     pub(crate) fn components(&mut self, subject: &Subject) -> Vec<f64> {
         for _ in 0..DRAWS {
             let inputs = (subject.placed)(&self.fields(subject.inputs));
@@ -103,13 +103,13 @@ impl Sampler {
         odd * (f64::EPSILON / 2.0)
     }
 
-    /// One of the first `count` whole numbers, 0 among them; none is rarer than another by more than `count` in 2⁶⁴.
+    /// A random integer from 0 to `count` − 1; the relative bias is at most `count` in 2⁶⁴.
     pub(super) fn below(&mut self, count: usize) -> usize {
         let count = u64::try_from(count).expect("a count is below 2⁶⁴");
         usize::try_from(self.0.next_u64() % count).expect("it is below a count")
     }
 
-    /// A whole number of a range.
+    /// A random integer in a range.
     pub(super) fn whole(&mut self, range: RangeInclusive<i64>) -> i64 {
         let count = range.end().abs_diff(*range.start()) + 1;
         range.start().wrapping_add_unsigned(self.0.next_u64() % count)
@@ -123,7 +123,7 @@ impl Sampler {
         low + (high - low) * self.unit()
     }
 
-    /// From 2⁻¹⁰ to 2¹⁰, every power of two equally likely.
+    /// From 2⁻¹⁰ to 2¹⁰, with every power of two equally likely.
     fn magnitude(&mut self) -> f64 {
         let mantissa = 1.0 + self.unit();
         let doublings = self.0.next_u32() % 20;
@@ -155,7 +155,7 @@ impl Sampler {
     }
 }
 
-/// The nodes that have a triad: a and b, and whatever others the fields name.
+/// The nodes that have a triad: a and b, and any others that the fields name.
 fn nodes(fields: &[Field]) -> Vec<Node> {
     let mut nodes = vec![Node::A, Node::B];
     for field in fields {
@@ -168,7 +168,7 @@ fn nodes(fields: &[Field]) -> Vec<Node> {
     nodes
 }
 
-/// The triad of a unit quaternion, a row per unit vector.
+/// The triad of a unit quaternion, one row per unit vector.
 pub(crate) fn rotation<D: crate::Scalar>(w: D, x: D, y: D, z: D) -> [[D; 3]; 3] {
     let double = |product: D| product * 2.0;
     let diagonal = |p: D, q: D| -double(p * p + q * q) + 1.0;
@@ -250,7 +250,7 @@ mod tests {
         assert!((450..550).contains(&heads), "{heads}");
     }
 
-    /// These numbers are the same on every machine, and golden files depend on them.
+    /// These numbers are the same on every machine; golden files depend on them.
     #[test]
     fn a_seed_and_a_name_give_the_same_numbers_anywhere() {
         let first = |name: &str, seed| Sampler::named(name, seed).real();
@@ -261,7 +261,7 @@ mod tests {
         );
     }
 
-    /// At (cos 30°, 0, 0, sin 30°) a turn by 60° about the third axis.
+    /// For (cos 30°, 0, 0, sin 30°), a rotation by 60° about the third axis.
     #[test]
     fn a_quaternion_turns_by_twice_its_angle() {
         let (root, half) = (3.0_f64.sqrt() / 2.0, 0.5);
@@ -288,7 +288,7 @@ mod tests {
         }
         let directions: Vec<[f64; 3]> = (0..200).map(|_| sampler.direction()).collect();
         assert!(directions.iter().all(|v| (v.iter().map(|x| x * x).sum::<f64>() - 1.0).abs() < 1e-15));
-        // The least is 0.1 beside two of at most 1.
+        // The smallest component is 0.1 next to two of at most 1.
         assert!(directions.as_flattened().iter().all(|x| x.abs() > 0.07 && x.abs() < 0.991));
         assert!(directions.as_flattened().iter().any(|x| x.abs() < 0.12));
         let negative = directions.as_flattened().iter().filter(|x| **x < 0.0).count();

@@ -1,4 +1,4 @@
-//! How accurate a formula is at inputs of very different sizes.
+//! The accuracy of a formula for inputs of very different sizes.
 
 use super::accuracy::{Exact, check_accuracy, claims};
 use super::claim::Claim;
@@ -11,18 +11,19 @@ use crate::formula::quantity::{Domain, Quantity};
 use crate::number::power::{exponent, power_of_two};
 use num_traits::Signed;
 
-/// One of so many random points is taken to another size.
+/// One out of this many random points is rescaled.
 const EVERY: usize = 25;
-/// So many sizes are tried until inputs are valid, of a size in the range, and have results that doubles can hold.
+/// The number of attempts to find valid inputs with sizes in the range and results that doubles can represent.
 const TRIES: usize = 64;
 
-/// The bounds of η of value and Jacobian, at some of these random points taken to other sizes; there are so many others before.
+/// Checks the bounds of η of value and Jacobian at some of these random points after rescaling; `before` other points
+/// precede them.
 pub(super) fn scaled(subject: &Subject, names: &Names, points: &[Point], before: usize, seed: u64) -> Vec<Claim> {
     let some = (before..).zip(points).filter(|(k, _)| k % EVERY == 0);
     check(subject, names, Range { scale: subject.spec.scale, seed }, some)
 }
 
-/// The bounds of η of value and Jacobian, at so many points whose inputs are 0 or from 1/`scale` to `scale` in size.
+/// Checks the bounds of η of value and Jacobian at points whose inputs are 0 or from 1/`scale` to `scale` in size.
 pub fn eta_at_scale<F: Proved>(scale: f64, options: &Options) -> Vec<Claim> {
     at_scale(&Subject::of::<F>(), scale, options)
 }
@@ -47,7 +48,7 @@ fn check<'a>(
     [value].into_iter().chain(jacobian).collect()
 }
 
-/// Sizes, and what is drawn from them.
+/// A range of sizes, and the seed of the draws from it.
 #[derive(Clone, Copy)]
 struct Range {
     scale: f64,
@@ -55,12 +56,12 @@ struct Range {
 }
 
 impl Range {
-    /// Whether a component has a size of the range.
+    /// Whether the size of a component is in the range.
     fn has(self, x: f64) -> bool {
         x == 0.0 || (1.0 / self.scale..=self.scale).contains(&x.abs())
     }
 
-    /// The point at another size, and what is exact there. Points do not depend on which others are drawn.
+    /// The rescaled point with its exact results. Points do not depend on which others are drawn.
     fn draw<'a>(self, from: &Point<'a>, k: usize) -> Option<(Point<'a>, Exact)> {
         let subject = from.subject;
         let mut sampler = Sampler::named(&format!("{} scaled {k}", subject.spec.id), self.seed);
@@ -77,8 +78,8 @@ impl Range {
     }
 }
 
-/// Inputs with units of their own for length, force and time, or with a size of its own for every field. Directions stay as they
-/// are, and angles only become smaller.
+/// Rescales inputs, either by changing the units of length, force and time, or by a separate factor for every field.
+/// Directions stay the same, and angles only become smaller.
 fn resized(subject: &Subject, inputs: &[f64], scale: f64, sampler: &mut Sampler) -> Vec<f64> {
     let units = [(); 3].map(|()| power(scale, sampler));
     let are_units_changed = sampler.below(2) == 0;
@@ -92,7 +93,7 @@ fn resized(subject: &Subject, inputs: &[f64], scale: f64, sampler: &mut Sampler)
             _ if are_units_changed => in_units(field.quantity, units),
             _ => own,
         };
-        // Two factors, since the power of one may be no double.
+        // Two factors, since a single power of two may not be representable.
         let (half, rest) = (power_of_two(power / 2), power_of_two(power - power / 2));
         all.extend(components.by_ref().take(field.len()).map(|x| x * half * rest));
     }
@@ -104,7 +105,7 @@ fn in_units(quantity: &Quantity, units: [i64; 3]) -> i64 {
     powers.iter().zip(units).map(|(&power, unit)| i64::from(power) * unit).sum::<i64>().clamp(-2000, 2000)
 }
 
-/// Of two: as far as what is drawn stays within the scale, or any below.
+/// A power of two: the largest for which the draws stay within the scale, or any smaller one.
 fn power(scale: f64, sampler: &mut Sampler) -> i64 {
     let most = (exponent(scale) - DOUBLINGS).max(0);
     match sampler.below(4) {
@@ -137,7 +138,7 @@ mod tests {
         resized.iter().zip(inputs).map(|(x, before)| exponent(x / before)).collect()
     }
 
-    /// Up to 2³⁰, from which 2¹⁰ are left to what is drawn.
+    /// Up to 2³⁰, which leaves 2¹⁰ for the draws themselves.
     #[test]
     fn powers_reach_as_far_as_the_scale_allows_and_no_farther() {
         let mut sampler = Sampler::named("powers", 1);
@@ -145,7 +146,7 @@ mod tests {
         let drawn = of(2.0_f64.powi(30), 400);
         assert_eq!((drawn.iter().min(), drawn.iter().max()), (Some(&-20), Some(&20)));
         let inner = drawn.iter().filter(|power| power.abs() < 20).count();
-        // Each end is drawn by a quarter, and what is between by the rest.
+        // Each end is drawn in a quarter of the cases, and something in between in the rest.
         assert!((120..280).contains(&inner), "{inner}");
         assert!([-20, 20].iter().all(|end| drawn.iter().filter(|power| *power == end).count() > 60));
         assert!((-5..5).all(|power| drawn.contains(&power)));
@@ -180,7 +181,7 @@ mod tests {
         let of = |unit: Unit| in_units(&Quantity::scalar("q", unit, Domain::Real, "any"), [3, 50, 700]);
         assert_eq!([Unit::L, Unit::F, Unit::T, Unit::ONE].map(of), [3, 50, 700, 0]);
         assert_eq!([Unit::new(-2, 1, 0), Unit::new(1, 0, -1)].map(of), [44, -697]);
-        // What no double has is as good as any other power that none has.
+        // Beyond the range of doubles, one exponent is as good as another.
         assert_eq!([Unit::new(0, 0, 3), Unit::new(0, 0, -3)].map(of), [2000, -2000]);
     }
 
@@ -192,7 +193,7 @@ mod tests {
             let points = random_points(&subject, &options, before..end);
             scaled(&subject, &names, &points, before, 1).into_iter().map(|claim| claim.checks).collect::<Vec<_>>()
         };
-        // Value, and two derivatives, alone and together: of the points 0, 25, 50.
+        // Value and two derivatives, alone and together, at the points 0, 25 and 50.
         assert_eq!(
             (checks(0, 1), checks(1, 25), checks(1, 26), checks(0, 51)),
             (vec![2, 4], vec![0, 0], vec![2, 4], vec![6, 12])
@@ -220,7 +221,7 @@ mod tests {
         assert_eq!(exact.values, (subject.exact_value)(&point.exact));
     }
 
-    /// Powers of which no double is the square, in two factors.
+    /// Powers beyond the range of doubles, applied in two factors.
     #[test]
     fn inputs_are_resized_by_powers_that_are_drawn() {
         let subject = Subject::of::<ContactForce>();
@@ -231,7 +232,7 @@ mod tests {
         }
     }
 
-    /// A stiffness changes by the units of force and length, which may take it out of range.
+    /// A stiffness scales with the units of force and length, which may take it out of range.
     #[test]
     fn what_is_out_of_range_or_overflows_is_not_drawn() {
         let subject = Subject::of::<Response>();

@@ -4,7 +4,7 @@ use std::fmt;
 use std::ops::Range;
 use std::str::FromStr;
 
-/// Which part of an audit: `3/16` is the third of sixteen.
+/// A part of an audit: `3/16` is the third of sixteen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Shard {
     pub(super) index: usize,
@@ -12,13 +12,13 @@ pub struct Shard {
 }
 
 impl Shard {
-    /// All of it.
+    /// The whole audit.
     pub const WHOLE: Self = Self { index: 1, of: 1 };
 
-    /// The part of this number, counted from 1, of so many.
+    /// Part `index`, counted from 1, of `of` parts.
     ///
     /// # Errors
-    /// That there is none of this number.
+    /// If there is no part with this index.
     pub fn new(index: usize, of: usize) -> Result<Self, PartError> {
         if (1..=of).contains(&index) {
             return Ok(Self { index, of });
@@ -32,7 +32,7 @@ impl Shard {
 
     /// Its share of the random points.
     pub(super) fn range(self, samples: usize) -> Range<usize> {
-        // Without a product that could overflow.
+        // Avoids a product that could overflow.
         let (each, rest) = (samples / self.of, samples % self.of);
         let start = |index: usize| each * index + rest.min(index);
         start(self.index - 1)..start(self.index)
@@ -50,7 +50,7 @@ impl FromStr for Shard {
     }
 }
 
-/// Why parts are not those of one audit.
+/// Why parts do not belong to one audit.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PartError(pub(super) String);
 

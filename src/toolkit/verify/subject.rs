@@ -1,6 +1,6 @@
-//! A formula as the toolkit works with it: functions of components in order.
+//! A formula as the toolkit uses it: functions of components in order.
 //!
-//! Everything else in the toolkit is written over slices and compiled once. Only what stands here is compiled once a
+//! Everything else in the toolkit is written for slices and compiled once. Only this file is compiled for each
 //! formula.
 
 use super::jet::{Sweep, differentiate, exact_jacobian, jacobian, value};
@@ -11,7 +11,7 @@ use crate::{Error, Octuple, Scalar};
 use std::borrow::Cow;
 use std::cell::OnceCell;
 
-/// A formula without its types.
+/// A formula with its types erased.
 pub(crate) struct Subject {
     pub(crate) spec: Spec,
     pub(crate) inputs: &'static [Field],
@@ -20,27 +20,27 @@ pub(crate) struct Subject {
     pub(crate) check: fn(&[f64]) -> Result<(), Error>,
     /// Whether inputs in 237 bits are valid together.
     pub(crate) is_valid: fn(&[Octuple]) -> bool,
-    /// Inputs where the formula is used, from components that were drawn one by one.
+    /// Realistic inputs, from components that were drawn one by one.
     pub(crate) placed: fn(&[f64]) -> Vec<f64>,
     /// The value, and the closed-form Jacobian output by output.
     pub(crate) value: fn(&[f64]) -> Vec<f64>,
     pub(crate) jacobian: fn(&[f64]) -> Vec<f64>,
-    /// The Jacobian by automatic differentiation, of a formula that has no closed form of it.
+    /// The Jacobian by automatic differentiation, for a formula without a closed-form Jacobian.
     pub(crate) automatic: fn(&[f64]) -> Vec<f64>,
-    /// Both at once.
+    /// Value and Jacobian in one pass.
     pub(crate) linearized: fn(&[f64]) -> [Vec<f64>; 2],
-    /// The same in 237 bits.
+    /// Value and Jacobian in 237 bits.
     pub(crate) exact_value: fn(&[Octuple]) -> Vec<Octuple>,
     pub(crate) exact_jacobian: fn(&[Octuple]) -> Vec<Octuple>,
-    /// The same in dual numbers over 237 bits.
+    /// Value and Jacobian in dual numbers over 237 bits.
     dual_value: fn(&[Sweep<Octuple>]) -> Vec<Sweep<Octuple>>,
     dual_jacobian: fn(&[Sweep<Octuple>]) -> Vec<Sweep<Octuple>>,
-    /// The formula's own cases, and those that it rejects.
+    /// The formula's own cases, and invalid ones.
     pub(crate) cases: fn() -> Vec<Case<Vec<f64>>>,
     pub(crate) invalid_cases: fn() -> Vec<Case<Vec<f64>>>,
-    /// Writes down what it does, which takes long.
+    /// Records the graph, which is slow.
     pub(crate) record: fn() -> Cow<'static, Result<Graph, NotRecorded>>,
-    /// The same, once it was asked for.
+    /// The recorded graph, once it was requested.
     graph: OnceCell<Cow<'static, Result<Graph, NotRecorded>>>,
     pub(crate) kinks: Vec<Kink>,
     pub(crate) laws: Vec<Law>,
@@ -49,7 +49,7 @@ pub(crate) struct Subject {
 /// A function of components.
 type AtComponents<T> = Box<dyn Fn(&[Octuple]) -> T>;
 
-/// A [kink](proof::Kink) without its types.
+/// A [kink](proof::Kink) with its types erased.
 pub(crate) struct Kink {
     pub(crate) condition: String,
     pub(crate) convention: Convention,
@@ -58,7 +58,7 @@ pub(crate) struct Kink {
     pub(crate) across: Vec<f64>,
 }
 
-/// A [law](proof::Law) without its types.
+/// A [law](proof::Law) with its types erased.
 pub(crate) struct Law {
     pub(crate) statement: String,
     pub(crate) sides: AtComponents<Vec<Equation>>,
@@ -98,7 +98,7 @@ impl Subject {
         }
     }
 
-    /// An element that rubs, or does not: its numbers as a formula that has no derivative in closed form.
+    /// An element with or without friction, as a formula without a closed-form Jacobian.
     pub(crate) fn of_element<E: ProvedElement<M, DOFS>, const M: usize, const DOFS: usize, const RUBS: bool>() -> Self {
         Self {
             spec: E::SPEC,
@@ -120,7 +120,7 @@ impl Subject {
             exact_value: results::<E, _, M, DOFS, RUBS>,
             exact_jacobian: derivatives::<E, _, M, DOFS, RUBS>,
             dual_value: results::<E, _, M, DOFS, RUBS>,
-            // Only of a closed form is the second derivative asked for.
+            // The second derivative is needed only for closed forms.
             dual_jacobian: |_| Vec::new(),
             cases: || {
                 let cases = E::cases().into_iter().filter(|case| case.inputs.parameters.contact.is_some() == RUBS);
@@ -129,7 +129,7 @@ impl Subject {
                     .collect()
             },
             invalid_cases: Vec::new,
-            // With extremes, comparisons of TRANSLATOR come out in too many ways.
+            // With extremes, the comparisons of TRANSLATOR have too many combinations of outcomes.
             record: || Cow::Owned(graph::record_element::<E, M, DOFS>(RUBS, Extremes::Nan)),
             graph: OnceCell::new(),
             kinks: Vec::new(),
@@ -147,7 +147,7 @@ impl Subject {
         self.derivative_of()(exact)
     }
 
-    /// [`derivative`](Self::derivative), to be kept.
+    /// [`derivative`](Self::derivative) as a function that can be stored.
     pub(crate) fn derivative_of(&self) -> impl Fn(&[Octuple]) -> Vec<Octuple> + Copy + 'static {
         let value = self.dual_value;
         move |exact| differentiate(exact, &value).concat()
@@ -158,12 +158,12 @@ impl Subject {
         differentiate(exact, &self.dual_jacobian)
     }
 
-    /// What it does, written down.
+    /// Its recorded operations.
     pub(crate) fn graph(&self) -> Result<&Graph, &NotRecorded> {
         self.graph.get_or_init(self.record).as_ref().as_ref()
     }
 
-    /// The graph, or why it does not tell where something jumps.
+    /// The graph, or why it cannot reveal kinks.
     pub(crate) fn telling_graph(&self) -> Result<&Graph, String> {
         let graph = self.graph().map_err(ToString::to_string)?;
         if graph.ops().iter().any(|op| matches!(op, Op::Search(..))) {
@@ -198,14 +198,14 @@ impl Law {
     }
 }
 
-/// What an element makes of components.
+/// The results of an element, from components.
 fn results<E: ProvedElement<M, DOFS>, D: Scalar, const M: usize, const DOFS: usize, const RUBS: bool>(
     i: &[D],
 ) -> Vec<D> {
     Step::<E, D, M, DOFS>::of(i, RUBS).results()
 }
 
-/// The derivatives of all that by all of these, output by output.
+/// The derivatives of all results with respect to all components, output by output.
 fn derivatives<E: ProvedElement<M, DOFS>, D: Scalar, const M: usize, const DOFS: usize, const RUBS: bool>(
     i: &[D],
 ) -> Vec<D> {

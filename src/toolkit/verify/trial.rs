@@ -1,4 +1,4 @@
-//! Points of a formula and its values there, against which an equation can be tried that somebody else wrote.
+//! Points of a formula with its values there, against which an equation written by someone else can be tested.
 
 use super::audit::named_points;
 use super::claim::{Claim, Deviation};
@@ -11,7 +11,7 @@ use crate::formula::Field;
 use crate::formula::proof::Proved;
 use crate::toolkit::equation::Equation;
 
-/// What a formula gives at its cases, beside its kinks and at random points, in 237 bits.
+/// The values of a formula at its cases, near its kinks and at random points, in 237 bits.
 ///
 /// ```
 /// use jointproof::toolkit::equation::Equation;
@@ -39,7 +39,7 @@ struct TrialPoint {
     inputs: Vec<f64>,
     exact: Vec<Octuple>,
     values: Vec<Octuple>,
-    /// What rounding of the inputs can do to each value.
+    /// The sensitivity of each value to the inputs.
     sizes: Vec<Sensitivity>,
     on_kink: bool,
 }
@@ -67,7 +67,7 @@ impl Trial {
         claim
     }
 
-    /// The largest deviation at the first point where an equation is not the formula.
+    /// The largest deviation at the first point where an equation differs from the formula.
     pub fn first_difference(&self, equation: &Equation) -> Option<Deviation> {
         self.points.iter().find_map(|point| {
             let mut claim = Claim::new("equation = value, in 237 bits", EQUATION);
@@ -123,7 +123,7 @@ mod tests {
         Equation::read(latex, &renamed, CrossForces::<f64>::FIELDS, Contact::<f64>::FIELDS).expect("it can be read")
     }
 
-    /// What is off at one point in many is found there, and elsewhere nothing is.
+    /// A deviation at one of many points is found there, and nothing elsewhere.
     #[test]
     fn an_equation_is_compared_at_every_point() {
         let trial = Trial::of::<ContactForce>(&Options { samples: 3, seed: 1 });
@@ -141,7 +141,7 @@ mod tests {
         assert_eq!(trial.first_difference(&read(r"F = \sqrt{a^2 + b^2}")), None);
     }
 
-    /// Random points come first, since those in general position tell most.
+    /// Random points come first, since points in general position are the most informative.
     #[test]
     fn what_is_known_of_a_point_is_exact() {
         let trial = Trial::of::<ContactForce>(&Options { samples: 1, seed: 1 });

@@ -1,28 +1,28 @@
-//! What is answered at a point.
+//! The answer at a point.
 
 use std::collections::BTreeMap;
 
-/// What a program or a function answers.
+/// The answer of a program or a function.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Answer {
     /// Numbers in order; `None` for one that it does not compute.
     Numbers(Vec<Option<f64>>),
-    /// It refuses the inputs, and may name one.
+    /// It rejects the inputs, and may name one.
     Refused(Option<String>),
-    /// It leaves the point out, and says why.
+    /// It skips the point, and says why.
     Skipped(String),
-    /// What is no answer, in words.
+    /// Not a valid answer; the reason in words.
     Bad(String),
 }
 
-/// Manners that are understood, but worth a word: how often each was seen.
+/// Irregularities that are understood but reported: how often each occurred.
 pub type Manners = BTreeMap<&'static str, usize>;
 
-/// How a program answered, beside what.
+/// How a program answered, apart from the numbers.
 #[derive(Debug, Default)]
 pub struct Heard {
-    /// What was understood.
+    /// The irregularities that were understood.
     pub manners: Manners,
-    /// What is worth a word, each once.
+    /// Remarks worth reporting, each once.
     pub noticed: Vec<String>,
 }

@@ -1,11 +1,11 @@
-//! What an audit found, in words.
+//! The results of audits, in words.
 
 use crate::console::{bold, count, figure, green, red};
 use crate::looked;
 use jointproof::toolkit::verify::{Audit, Claim, Deviation};
 use std::fmt::Write;
 
-/// What failed, in full, then a line a formula.
+/// The failures in full, then one line per formula.
 ///
 /// # Errors
 /// None in practice; those of formatting are passed on.
@@ -27,7 +27,7 @@ pub fn text(audits: &[Audit], passed: fn(&Audit) -> bool) -> Result<String, std:
     Ok(text + &total(audits, passed))
 }
 
-/// What failed of an element, in full, after a line a claim.
+/// One line per claim of an element, then the failures in full.
 ///
 /// # Errors
 /// None in practice; those of formatting are passed on.
@@ -57,7 +57,7 @@ fn heading(name: &str, passed: bool, points: usize, provenance: &str) -> Result<
     Ok(text)
 }
 
-/// How much was audited, in a line.
+/// A one-line summary of the audits.
 pub fn total(audits: &[Audit], passed: fn(&Audit) -> bool) -> String {
     let failed = audits.iter().filter(|audit| !passed(audit)).count();
     let checks: usize = audits.iter().flat_map(Audit::claims).map(|claim| claim.checks).sum();
@@ -66,7 +66,7 @@ pub fn total(audits: &[Audit], passed: fn(&Audit) -> bool) -> String {
     format!("{audited}, {checks}, {off} off\n")
 }
 
-/// A figure worth its worst point even if it is within its bound.
+/// Whether a claim is an error measure, whose worst point is of interest even within the bound.
 fn is_error_figure(claim: &Claim) -> bool {
     claim.claim.starts_with('η') && claim.worst.as_ref().is_some_and(|worst| worst.size > 0.0)
 }

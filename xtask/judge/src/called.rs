@@ -1,4 +1,4 @@
-//! A function that is called where it stands, judged as a program over a pipe is.
+//! A function called directly, judged like a program that is called through a pipe.
 
 use super::answer::{Answer, Heard};
 use super::map::names;
@@ -10,43 +10,43 @@ use jointproof::catalog::AnyFormula;
 use jointproof::toolkit::verify::Options;
 use jointproof::toolkit::verify::golden::named;
 
-/// What a function is asked, twice, the second time in another order.
+/// The points at which a function is called twice, the second time in another order.
 pub struct Called {
     formula: &'static dyn AnyFormula,
     wanted: Wanted,
     questions: Vec<Question>,
 }
 
-/// What its answers are worth.
+/// The judgement of its answers.
 pub struct Judged {
-    /// Whether nothing is to be mended.
+    /// Whether nothing is wrong.
     pub is_well: bool,
-    /// Everything that was found, without colours.
+    /// The full report, without colours.
     pub text: String,
-    /// What explains it, a line each.
+    /// The causes, one line each.
     pub causes: Vec<String>,
     /// Every number of an answer: outputs, then the Jacobian row by row.
     pub numbers: Vec<Number>,
 }
 
-/// What was found about one number of the answers.
+/// The result for one number of the answers.
 pub struct Number {
     /// Its name: `fc`, `∂fc/∂f2`.
     pub name: String,
-    /// How good it is.
+    /// Its grade.
     pub grade: Grade,
-    /// How often it was given, and how often it was beyond its bound.
+    /// How often it was given, and how often it exceeded its bound.
     pub counts: [usize; 2],
     /// The bound of η.
     pub bound: f64,
-    /// The largest η, with what was found and what is exact there.
+    /// The largest η, with the computed and the exact number there.
     pub worst: Option<[f64; 3]>,
-    /// The inputs there, as golden files give them.
+    /// The inputs there, in the format of golden files.
     pub inputs: Option<serde_json::Value>,
 }
 
 impl Called {
-    /// The points at which a function for this formula is called. Products are asked of programs alone.
+    /// The points at which a function for this formula is called. Only programs are asked for products.
     pub fn new(
         formula: &'static dyn AnyFormula,
         with_jacobian: bool,
@@ -64,18 +64,18 @@ impl Called {
         self.questions.iter().map(|question| question.inputs.as_slice())
     }
 
-    /// The places of the points in the order in which they are asked for the second time.
+    /// The indices of the points, in the order in which they are asked for the second time.
     pub fn other_order(&self) -> Vec<usize> {
         other_order(self.questions.len())
     }
 
-    /// How many numbers an answer has.
+    /// The count of numbers in an answer.
     pub fn numbers(&self) -> usize {
         self.wanted.numbers(sizes(self.formula))
     }
 
-    /// Judges the answers of both times, in the order of the points. `None` where an answer is missing, or has another
-    /// number of numbers.
+    /// Judges both sets of answers, in the order of the points. `None` if an answer is missing or has the wrong count
+    /// of numbers.
     pub fn judge(&self, name: &str, answers: &[Vec<Answer>; 2]) -> Option<Judged> {
         let is_whole = |answer: &Answer| match answer {
             Answer::Numbers(numbers) => numbers.len() == self.numbers(),

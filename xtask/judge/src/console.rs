@@ -1,4 +1,4 @@
-//! How results are worded: colours, which are dropped where they are not wanted, counts and figures.
+//! Formatting of results: colours, counts and figures.
 
 const RED: &str = "\x1b[31m";
 const GREEN: &str = "\x1b[32m";
@@ -6,7 +6,7 @@ const YELLOW: &str = "\x1b[33m";
 const BOLD: &str = "\x1b[1m";
 const PLAIN: &str = "\x1b[0m";
 
-/// Red text; the stream drops the colour where it is not a terminal, or `NO_COLOR` is set.
+/// Red text; the stream drops the colour if it is not a terminal or `NO_COLOR` is set.
 pub fn red(text: impl std::fmt::Display) -> String {
     format!("{RED}{text}{PLAIN}")
 }

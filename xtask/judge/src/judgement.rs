@@ -1,27 +1,27 @@
-//! Answers judged, and put into words.
+//! The judgement of answers, in words.
 
 use super::answer::{Answer, Heard};
 use super::verdict::{Court, Verdict};
 use super::{diagnosis, report, taylor};
 
-/// What was found about all answers, its causes, and all of it as text.
+/// The judgement of all answers, its causes, and the full report.
 pub struct Judgement {
     pub(super) found: Verdict,
-    /// What explains it, a line each.
+    /// The causes, one line each.
     pub causes: Vec<String>,
-    /// Everything that was found.
+    /// The full report.
     pub text: String,
 }
 
 impl Judgement {
-    /// Whether nothing is to be mended.
+    /// Whether nothing is wrong.
     pub fn is_well(&self) -> bool {
         self.found.is_well()
     }
 }
 
 impl Court<'_> {
-    /// What the answers of the first and of the second time are worth.
+    /// Judges the answers of the first and of the second pass.
     pub fn judged(&self, program: &[String], answers: &[Vec<Answer>; 2], heard: &Heard) -> Judgement {
         let slope = taylor::told(self, &answers[0]);
         let found = self.judge(answers);

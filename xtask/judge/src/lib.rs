@@ -1,6 +1,6 @@
-//! The judge: what audits found in words, and what somebody else computes for a formula, judged in 237 bits.
+//! The judge: reports of audits, and the results of foreign code for a formula, judged in 237 bits.
 //!
-//! It has no command line and no book: it is what the Python package compiles, and what the commands say results with.
+//! It has no command line and no book: it is the part that the Python package compiles, and that the commands use for reports.
 
 mod answer;
 pub mod audited;

@@ -1,12 +1,12 @@
-//! In words: how kinks of a formula were looked for, and which sides of its comparisons were taken.
+//! How kinks of a formula were searched for and which branches were taken, in words.
 
 use crate::console::count;
 use jointproof::toolkit::verify::{Coverage, Looked, Search};
 
-/// So many of a kind are named before the rest is only counted.
+/// The number of items of a kind that are named before the rest is only counted.
 const NAMED: usize = 4;
 
-/// What was found, in a few lines; nothing of what was covered wholly is listed.
+/// A summary in a few lines; complete coverage is not itemised.
 pub fn lines(looked: &Looked) -> Vec<String> {
     match looked {
         Looked::NamedPoints { why } => vec![format!("kinks were searched at the named points only: {why}")],

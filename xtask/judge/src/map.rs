@@ -1,4 +1,4 @@
-//! The picture of an answer: which numbers are right.
+//! A map of an answer that shows which numbers are right.
 
 use super::question::Wanted;
 use super::verdict::{Grade, Tally};
@@ -37,7 +37,7 @@ fn mark(tally: &Tally) -> String {
     }
 }
 
-/// A line an output: its value, then its derivatives, field by field.
+/// One line per output: its value, then its derivatives, field by field.
 pub(super) fn map(inputs: &[Field], outputs: &[Field], wanted: Wanted, tallies: &[Tally]) -> String {
     let (rows, width) = (components(outputs), components(inputs).len());
     let (values, rest) = tallies.split_at(rows.len().min(tallies.len()));
@@ -61,7 +61,7 @@ pub(super) fn map(inputs: &[Field], outputs: &[Field], wanted: Wanted, tallies: 
     text
 }
 
-/// Marks in a row, a gap between fields.
+/// The marks of a row, with a gap between fields.
 fn by_field(fields: &[Field], tallies: &[Tally]) -> String {
     let mut rest = tallies.iter();
     let of_field = |field: &Field| rest.by_ref().take(field.len()).map(mark).collect::<String>();

@@ -1,4 +1,4 @@
-//! What a program is asked, and what this one says of it.
+//! The questions for a program, and this program's own answers.
 
 use jointproof::Error;
 use jointproof::catalog::AnyFormula;
@@ -6,10 +6,10 @@ use jointproof::formula::Field;
 use jointproof::toolkit::verify::Sampler;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
-/// What is asked of a program.
+/// The results requested from a program.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Wanted {
-    /// The outputs alone.
+    /// The outputs only.
     Value,
     /// The outputs, then the Jacobian row by row.
     #[default]
@@ -19,7 +19,7 @@ pub enum Wanted {
 }
 
 impl Wanted {
-    /// Each of them.
+    /// All of them.
     pub const ALL: [Self; 3] = [Self::Value, Self::Jacobian, Self::Products];
 
     /// Its name.
@@ -31,7 +31,7 @@ impl Wanted {
         }
     }
 
-    /// How many numbers an answer has, for so many inputs and outputs.
+    /// The count of numbers in an answer, for the given counts of inputs and outputs.
     pub fn numbers(self, [n, m]: [usize; 2]) -> usize {
         match self {
             Self::Value => m,
@@ -41,35 +41,36 @@ impl Wanted {
     }
 }
 
-/// A point that is asked for.
+/// A point at which results are requested.
 #[derive(Debug)]
 pub struct Question {
     pub(super) name: String,
     /// The inputs, by components in order.
     pub inputs: Vec<f64>,
-    /// By what the Jacobian is multiplied, from the right and from the left.
+    /// The vectors v and w that multiply the Jacobian from the right and from the left.
     pub directions: Option<[Vec<f64>; 2]>,
     pub(super) own: Own,
-    /// The direction that it belongs to.
+    /// The direction that the question belongs to.
     pub(super) along: Option<Along>,
 }
 
-/// That a question belongs to a direction: the first where it begins, the others behind its steps, in order.
+/// A question's direction. The first question of a direction is at its starting point, the others follow after its
+/// steps, in order.
 #[derive(Clone, Debug)]
 pub(super) struct Along {
-    /// Which direction.
+    /// The index of the direction.
     pub(super) base: usize,
-    /// Below this the remainder of an output is rounding.
+    /// The level below which the remainder of an output is rounding error.
     pub(super) noise: Vec<f64>,
 }
 
-/// What this program says of a point.
+/// This program's own answer at a point.
 #[derive(Debug)]
 pub(super) enum Own {
-    /// Value, and Jacobian where it is wanted.
+    /// Value, and Jacobian if requested.
     Results(Vec<f64>),
     Refused(Error),
-    /// Results are too large for doubles, which another program need not look for.
+    /// The results are too large for doubles, so that another program is not asked for them.
     TooLarge,
 }
 
@@ -80,7 +81,7 @@ impl Question {
     }
 }
 
-/// The numbers of inputs and outputs.
+/// The counts of inputs and outputs.
 pub fn sizes(formula: &dyn AnyFormula) -> [usize; 2] {
     [formula.inputs(), formula.outputs()].map(|fields| fields.iter().map(Field::len).sum())
 }
@@ -109,7 +110,7 @@ pub fn of_points(
     points.into_iter().zip(owns).map(question).collect()
 }
 
-/// All places of a list in another order, in which hardly any follows the one that it followed before.
+/// All indices of a list in another order, in which hardly any follows its previous predecessor.
 pub fn other_order(count: usize) -> Vec<usize> {
     let step = (count * 5 / 8..count).find(|step| gcd(*step, count) == 1).unwrap_or_default();
     (0..count).map(|k| (k * step + count / 2) % count).collect()

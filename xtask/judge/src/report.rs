@@ -1,4 +1,4 @@
-//! What a check found, in text.
+//! The report of a check.
 
 use super::answer::Heard;
 use super::map::{map, names};
@@ -9,11 +9,11 @@ use jointproof::toolkit::verify::golden::named;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-/// So many entries are told in full; the map has the rest.
+/// The number of entries reported in full; the map shows the rest.
 const SHOWN: usize = 6;
 
 impl Court<'_> {
-    /// What is said of a program that answers nothing.
+    /// The report for a program that does not answer.
     pub fn silent(&self, program: &[String], why: &str) -> String {
         format!("{} {why}\n", head(self, program, false))
     }
@@ -29,7 +29,7 @@ fn head(court: &Court<'_>, program: &[String], well: bool) -> String {
     format!("{mark} {} by {words}:", bold(court.formula.spec().id))
 }
 
-/// Everything: a line or two where all is well.
+/// The full report: a line or two if all is well.
 pub(super) fn text(
     court: &Court<'_>,
     program: &[String],
@@ -101,7 +101,7 @@ pub(super) fn text(
     text
 }
 
-/// The map, and the entries that are off.
+/// The map, and the wrong entries.
 fn entries(court: &Court<'_>, found: &Verdict) -> String {
     let (inputs, outputs) = (court.formula.inputs(), court.formula.outputs());
     let names = names(inputs, outputs, court.wanted);
@@ -149,7 +149,7 @@ fn entries(court: &Court<'_>, found: &Verdict) -> String {
     text
 }
 
-/// A point as it can be given back.
+/// A point in a form that can be passed back.
 pub(super) fn point(court: &Court<'_>, question: usize) -> String {
     let inputs = named(court.formula.inputs(), &court.questions[question].inputs);
     format!("--point '{}'", serde_json::Value::from(inputs))
@@ -163,7 +163,7 @@ fn by_what(list: &[(usize, String)]) -> BTreeMap<&str, Vec<usize>> {
     sorted
 }
 
-/// Some of the names, and how many there are.
+/// Some of the names, and the total number.
 fn places(court: &Court<'_>, questions: &[usize]) -> String {
     let names: Vec<_> = questions.iter().take(3).map(|&question| court.questions[question].name.as_str()).collect();
     match questions.len() {

@@ -1,6 +1,7 @@
-//! The slope of the Taylor remainder: whether products are the derivatives of a program's own values, whatever these are.
+//! The slope of the Taylor remainder: whether products are derivatives of the program's own values, whether or not
+//! those are right.
 //!
-//! |f(x + h v) − f(x) − h J v| falls as h² if they are, and as h if they are not.
+//! If they are, |f(x + h v) − f(x) − h J v| decreases as h², otherwise as h.
 
 use super::answer::Answer;
 use super::map::names;
@@ -10,16 +11,16 @@ use jointproof::catalog::AnyFormula;
 use jointproof::toolkit::verify::{Options, Sampler};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// So many points, each with a direction.
+/// The number of points, with one direction each.
 const BASES: usize = 6;
-/// The lengths of steps, each half as long as the one before: not in units of inputs, which differ, but of v.
+/// The lengths of steps, each half of the previous one, in units of v, since the inputs have different units.
 const STEPS: [f64; 3] = [1.0 / 256.0, 1.0 / 512.0, 1.0 / 1024.0];
-/// A remainder that falls faster than this power of h is of second order.
+/// A remainder that decreases faster than this power of h is of second order.
 const SECOND_ORDER: f64 = 1.5;
-/// What rounding may leave of it, of the terms that it is a difference of.
+/// The rounding error of the remainder, relative to the terms of the difference.
 const NOISE: f64 = 64.0 * f64::EPSILON;
 
-/// Values along a direction: at its beginning, with J v there, and behind each step.
+/// Values along a direction: at the starting point, with J v there, and after each step.
 struct Values<'a> {
     start: &'a [f64],
     product: &'a [f64],
@@ -27,7 +28,7 @@ struct Values<'a> {
 }
 
 impl Values<'_> {
-    /// By which power of h the remainder of an output falls; `None` where it is rounding.
+    /// The power of h with which the remainder of an output decreases; `None` if it is rounding error.
     fn slope(&self, output: usize, noise: f64) -> Option<f64> {
         let remainder =
             |k: usize| (self.behind[k][output] - self.start[output] - STEPS[k] * self.product[output]).abs();
@@ -37,7 +38,7 @@ impl Values<'_> {
     }
 }
 
-/// Every point that is asked for: two valid ones first, so that a program can show how it answers. Where products are wanted, points
+/// All questions: two valid points first, so that a program can show its format. If products are requested, points
 /// along directions follow.
 pub fn questions(formula: &dyn AnyFormula, wanted: Wanted, options: &Options) -> Vec<Question> {
     let points = formula.judge().points(options);
@@ -49,7 +50,7 @@ pub fn questions(formula: &dyn AnyFormula, wanted: Wanted, options: &Options) ->
     questions
 }
 
-/// What is asked along directions from the first random points that are valid and have no kink near.
+/// The questions along directions from the first random points that are valid and not near a kink.
 fn along_directions(formula: &dyn AnyFormula, asked: &[Question], seed: u64) -> Vec<Question> {
     let mut sampler = Sampler::named("Taylor remainder", seed);
     let random = asked.iter().filter(|question| question.name.starts_with("random "));
@@ -64,7 +65,7 @@ fn along_directions(formula: &dyn AnyFormula, asked: &[Question], seed: u64) -> 
     all.flat_map(numbered).collect()
 }
 
-/// The questions along a direction: where it begins, and behind each step.
+/// The questions along a direction: at its starting point and after each step.
 fn direction(formula: &dyn AnyFormula, question: &Question, sampler: &mut Sampler) -> Option<Vec<Question>> {
     let x = &question.inputs;
     let (value, jacobian) = formula.value_and_jacobian(x).ok()?;
@@ -97,7 +98,7 @@ fn direction(formula: &dyn AnyFormula, question: &Question, sampler: &mut Sample
     Some(steps.zip([value.clone()].into_iter().chain(behind.iter().cloned())).map(|(h, y)| at(h, y)).collect())
 }
 
-/// A direction in which inputs may move, each in proportion to its size; those that would leave their domain stay.
+/// A direction in which inputs can move, each in proportion to its size; those that would leave their domain stay fixed.
 fn tangent(formula: &dyn AnyFormula, x: &[f64], sampler: &mut Sampler) -> Vec<f64> {
     let mut v = vec![0.0; x.len()];
     let mut first = 0;
@@ -118,7 +119,7 @@ fn tangent(formula: &dyn AnyFormula, x: &[f64], sampler: &mut Sampler) -> Vec<f6
     v
 }
 
-/// What the remainders of a program's own values say, in words; `None` where there is none.
+/// The conclusion from the remainders of a program's own values, in words; `None` if there are none.
 pub(super) fn told(court: &Court<'_>, answers: &[Answer]) -> Option<String> {
     let m = sizes(court.formula)[1];
     let mut directions = BTreeMap::<usize, Vec<(&Along, &Answer)>>::new();
@@ -200,7 +201,7 @@ mod tests {
         let (first, last) = (STEPS[0] * STEPS[0], STEPS[2] * STEPS[2]);
         assert_eq!(slope(|h| h * h, 0.0), Some(2.0));
         assert_eq!(slope(|h| -h, 0.0), Some(1.0));
-        // What rounding leaves is not looked at, and nothing falls below it.
+        // Rounding errors are ignored, and nothing decreases below them.
         assert_eq!(slope(|h| h * h, first), None);
         assert_eq!(slope(|h| h * h, 4.0 * last), Some(1.0));
     }
@@ -215,7 +216,7 @@ mod tests {
         }
     }
 
-    /// What is asked along a direction from a point of a formula.
+    /// The questions along a direction from a point of a formula.
     fn from(id: &str, x: &[f64], seed: u64) -> Option<Vec<Question>> {
         let formula = find(id).unwrap();
         let points = vec![("random 7".to_owned(), x.to_vec())];
@@ -239,7 +240,7 @@ mod tests {
 
     #[test]
     fn what_rounding_leaves_is_told_by_all_terms() {
-        // Φ = p − μ F_N, whose derivatives by the factors give the product once more each.
+        // Φ = p − μ F_N; the contributions of the factors add the product once more each.
         let (p, mu, normal) = (1.0, 0.25, 8.0);
         let size = 1.0 + 1.0 + 2.0 + 2.0;
         for question in from("coulomb.yield", &[p, mu, normal], 1).unwrap() {
@@ -252,7 +253,7 @@ mod tests {
         let are_over = |id: &str, x: &[f64]| (0..20).filter(|&seed| from(id, x, seed).is_none()).count();
         assert_eq!(are_over("coulomb.return_map", &[1.0, 0.5, 4.0]), 0);
         assert!(are_over("coulomb.return_map", &[2.0 - 1e-6, 0.5, 4.0]) > 5);
-        // Of three outputs the second has none at F_N = 0.
+        // Of three outputs the second is undefined at F_N = 0.
         assert!(are_over("slot.friction", &[-2.0, 3.0, 4.0, -5.0 + 1e-6, 0.25]) > 5);
     }
 
@@ -297,7 +298,7 @@ mod tests {
         let formula = find("slide_line.closest_smoothed_linear").unwrap();
         let mut x = formula.timing_inputs(&Options { timing_points: 1, ..Options::quick() });
         let fraction = x.len() - 1;
-        // At the end of the domain, and where half of the longest step is short enough.
+        // At the end of the domain, and where half of the longest step fits.
         for from in [0.5_f64.next_down(), 0.5 - 0.5 * STEPS[1] / 2.0] {
             x[fraction] = from;
             let (mut moves, mut stays) = (0, 0);

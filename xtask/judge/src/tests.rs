@@ -1,4 +1,4 @@
-//! Functions with planted mistakes, and the whole of what is said of them, kept in `tests/printed/check.txt`.
+//! Functions with planted mistakes, and the full reports on them, kept in `tests/printed/check.txt`.
 
 mod plants;
 
@@ -14,7 +14,7 @@ use jointproof::toolkit::verify::Options;
 use plants::PLANTS;
 use plants::Plant::{self, Nothing};
 
-/// What a formula answers, by components; `None` where it refuses.
+/// The results of a formula, as components; `None` if it rejects the inputs.
 fn own(formula: &dyn AnyFormula, wanted: Wanted, question: &Question, inputs: &[f64]) -> Option<Vec<f64>> {
     let (value, jacobian) = formula.value_and_jacobian(inputs).ok()?;
     let [n, m] = sizes(formula);
@@ -31,7 +31,7 @@ fn own(formula: &dyn AnyFormula, wanted: Wanted, question: &Question, inputs: &[
     Some([value, more].concat())
 }
 
-/// What is said of a function that answers so, in the order in which it is asked.
+/// The report on a function with these answers, in the order of the questions.
 fn said(
     id: &str,
     wanted: Wanted,
@@ -80,10 +80,10 @@ fn all_that_is_said_of_planted_mistakes() {
     expect_file!["../tests/printed/check.txt"].assert_eq(&all.collect::<String>());
 }
 
-/// What is answered in the place of what is right.
+/// An answer given instead of the right one.
 type Odd = fn(&Question) -> Option<Answer>;
 
-/// Answers that are no other numbers.
+/// Unusual answers that are not just other numbers.
 const ODD: &[(&str, Odd)] = &[
     ("refuses what is valid", |question| is_slip(question).then_some(Answer::Refused(None))),
     ("refuses every random point", |question| is_random(question).then_some(Answer::Refused(None))),
@@ -104,7 +104,7 @@ fn is_random(question: &Question) -> bool {
     question.name.starts_with("random ")
 }
 
-/// A refusal by numbers needs one output that is none, wherever it stands.
+/// For a rejection by numbers, a single output that is not a number suffices, at any position.
 #[test]
 fn one_nan_among_the_outputs_refuses() {
     let refused_by = |place: usize, x: f64| {
@@ -131,7 +131,7 @@ fn all_that_is_said_of_odd_answers() {
         of(what, &mut |formula, question| odd(question).unwrap_or_else(|| right(formula, question)))
     };
     let mut text: String = ODD.iter().map(odd).collect();
-    // Answers of which a number is otherwise: not there, kept from another question, or counted up.
+    // Answers with one number that is missing, kept from another question, or incremented.
     let mut with = |what: &str, place: usize, mut other: Box<dyn FnMut(f64) -> Option<f64>>| {
         text += &of(what, &mut |formula, question| match right(formula, question) {
             Answer::Numbers(mut numbers) => {
@@ -145,7 +145,7 @@ fn all_that_is_said_of_odd_answers() {
     with("leaves a derivative out", 1, Box::new(|_| None));
     with("holds what was before", 3, Box::new(move |own| before.replace(own).or(Some(own))));
     let started = move |own| {
-        // A process that answers so many points, and another one.
+        // A process that answers a hundred points, and is then replaced by another one.
         first = first.filter(|_| calls % 100 > 0);
         calls += 1;
         Some(*first.get_or_insert(own))

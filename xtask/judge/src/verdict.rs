@@ -1,4 +1,4 @@
-//! Answers judged: every number by its backward error η, and refusals.
+//! Judges answers: every number by its backward error η, and rejections.
 
 use super::answer::Answer;
 use super::question::{Own, Question, Wanted, sizes};
@@ -6,98 +6,98 @@ use jointproof::catalog::AnyFormula;
 use jointproof::toolkit::verify::{Judge, Known, Truth};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
-/// From this η on a number is wrong and not only inaccurate: a part in 10⁴ of what it is judged by.
+/// From this η on a number is wrong rather than inaccurate: one part in 10⁴ of the size it is judged by.
 const WRONG: f64 = 1e-4 / (f64::EPSILON / 2.0);
 
-/// How good a number is.
+/// The quality of a number.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Grade {
-    /// Within its bound wherever it was asked for.
+    /// Within its bound wherever it was requested.
     #[default]
     Right,
-    /// Beyond its bound, by a rounding too many.
+    /// Beyond its bound, due to excessive rounding.
     Inaccurate,
-    /// Another number.
+    /// A different number.
     Wrong,
 }
 
-/// What is asked of every number.
+/// The bounds that every number must satisfy.
 #[derive(Clone, Copy, Debug)]
 pub struct Bounds {
-    /// Of the value.
+    /// For the value.
     pub value: f64,
-    /// Of the Jacobian.
+    /// For the Jacobian.
     pub jacobian: f64,
 }
 
-/// A formula with an automatic Jacobian states no bound of it: somebody's closed form is inaccurate there where it loses more than
-/// two digits.
+/// The bound for formulas with an automatic Jacobian, which state none: a closed form is inaccurate if it loses more
+/// than two digits.
 const UNSTATED: f64 = 128.0;
 
 impl Bounds {
-    /// Those that a formula states of itself.
+    /// The bounds that a formula states for itself.
     pub fn of(formula: &dyn AnyFormula) -> Self {
         let spec = formula.spec();
         Self { value: spec.eta.value, jacobian: spec.eta.jacobian.unwrap_or(UNSTATED) }
     }
 }
 
-/// What was found about one number of the answers.
+/// The result for one number of the answers.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Tally {
     pub(super) checked: usize,
     pub(super) off: usize,
-    /// Whether it was left out somewhere.
+    /// Whether it was missing somewhere.
     pub(super) is_absent: bool,
     pub(super) grade: Grade,
     pub(super) worst: Option<Worst>,
 }
 
-/// The worst of a number.
+/// The worst case of a number.
 #[derive(Clone, Debug)]
 pub(super) struct Worst {
     pub(super) eta: f64,
-    /// Which question.
+    /// The index of the question.
     pub(super) question: usize,
     pub(super) found: f64,
     pub(super) exact: f64,
 }
 
-/// What was found about all answers.
+/// The result for all answers.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Verdict {
     /// Outputs, then entries of the Jacobian or products.
     pub(super) tallies: Vec<Tally>,
-    /// Numbers judged in 237 bits, and those that have the bits of this program's own.
+    /// Numbers judged in 237 bits, and those with the same bits as this program's.
     pub(super) judged: usize,
     pub(super) same: usize,
-    /// Questions that must be refused, and were; by NaN or infinity, among these.
+    /// Questions that must be rejected, and were; among these, those rejected by NaN or infinity.
     pub(super) refused: usize,
     pub(super) refused_by_nan: usize,
-    /// Questions that are valid, and were refused.
+    /// Valid questions that were rejected.
     pub(super) refused_wrongly: Vec<usize>,
-    /// Questions that must be refused, and were answered.
+    /// Questions that must be rejected, but were answered.
     pub(super) accepted: Vec<usize>,
-    /// Questions without an answer, and what came instead.
+    /// Questions without a valid answer, and what came instead.
     pub(super) bad: Vec<(usize, String)>,
-    /// Questions left out, and why.
+    /// Questions skipped, and why.
     pub(super) skipped: Vec<(usize, String)>,
-    /// Questions that were answered in two ways.
+    /// Questions with two different answers.
     pub(super) two_answers: Vec<usize>,
-    /// Answers that are right a rounding of an input beside the question, on the other side of a kink.
+    /// Answers that are right for inputs within a rounding error of the question, on the other side of a kink.
     pub(super) beside: usize,
-    /// Questions at which a number is off.
+    /// Questions with a wrong number.
     pub(super) off: Vec<usize>,
 }
 
 impl Verdict {
-    /// Whether nothing is to be mended.
+    /// Whether nothing is wrong.
     pub(super) fn is_well(&self) -> bool {
         let faults = [self.refused_wrongly.len(), self.accepted.len(), self.bad.len(), self.two_answers.len()];
         self.judged + self.same > 0 && self.off.is_empty() && faults.iter().all(|&faults| faults == 0)
     }
 
-    /// One found here, one found there.
+    /// Merges the results of two sets of questions.
     fn and(mut self, other: Self) -> Self {
         if self.tallies.is_empty() {
             self.tallies = other.tallies;
@@ -145,11 +145,11 @@ impl Tally {
     }
 }
 
-/// What is asked, of which formula, and by what it is judged.
+/// The questions about a formula, and the criteria for judging the answers.
 pub struct Court<'a> {
     /// The formula.
     pub formula: &'static dyn AnyFormula,
-    /// What is asked.
+    /// The requested results.
     pub wanted: Wanted,
     /// The bounds of η.
     pub bounds: Bounds,
@@ -158,11 +158,11 @@ pub struct Court<'a> {
 }
 
 impl Court<'_> {
-    /// Judges the answers of the first and of the second time.
+    /// Judges the answers of the first and of the second pass.
     pub(super) fn judge(&self, answers: &[Vec<Answer>; 2]) -> Verdict {
         let questions = (0..self.questions.len()).into_par_iter();
         let one = |judge: &mut Judge, k: usize| self.one(judge, k, [&answers[0][k], &answers[1][k]]);
-        // Neighbours are put together, so that all lists are in order.
+        // Only neighbours are merged, so that all lists stay in order.
         questions.map_init(|| self.formula.judge(), one).reduce(Verdict::default, Verdict::and)
     }
 
@@ -190,7 +190,7 @@ impl Court<'_> {
                 Answer::Numbers(found) if self.may_be_own(k) && has_bits(found, own) => verdict.same += found.len(),
                 Answer::Numbers(found) => {
                     let (truth, known) = truth.get_or_insert_with(|| self.expected(judge, k));
-                    // On a kink itself there is a convention.
+                    // On the kink itself a convention applies.
                     if truth.kink.is_none()
                         && !self.are_right(found, known)
                         && let Some(beside) = self.beside(judge, k, found)
@@ -206,8 +206,8 @@ impl Court<'_> {
         verdict
     }
 
-    /// Whether this program's own bits are taken for right. The audit judges these at random points; at all others they are
-    /// judged here, too.
+    /// Whether results with the same bits as this program's are accepted. The audit checks these at random points; at
+    /// all others they are judged here too.
     fn may_be_own(&self, k: usize) -> bool {
         self.wanted != Wanted::Products && self.questions[k].name.starts_with("random ")
     }
@@ -244,7 +244,7 @@ impl Court<'_> {
         }
     }
 
-    /// Whether no number is off.
+    /// Whether no number is wrong.
     fn are_right(&self, found: &[Option<f64>], known: &[Option<Known>]) -> bool {
         let pairs = found.iter().zip(known).enumerate();
         pairs.into_iter().all(|(place, pair)| match pair {
@@ -253,8 +253,8 @@ impl Court<'_> {
         })
     }
 
-    /// What is expected a rounding of one input beside a named question, if another branch is taken there and the answer is
-    /// right for it: no program that rounds can tell on which side it is.
+    /// The expected numbers at inputs within a rounding error of a named question, if another branch is taken there
+    /// and the answer is right for it: a program that rounds cannot know on which side it is.
     fn beside(&self, judge: &Judge, k: usize, found: &[Option<f64>]) -> Option<Vec<Option<Known>>> {
         self.other_sides(k).find_map(|inputs| {
             let expected = self.expected_at(judge, &inputs, self.questions[k].directions.as_ref())?.1;
@@ -262,12 +262,12 @@ impl Court<'_> {
         })
     }
 
-    /// Whether a rounding of one input leads from a question to another branch.
+    /// Whether a rounding error of one input leads from a question to another branch.
     pub(super) fn is_beside_kink(&self, k: usize) -> bool {
         self.other_sides(k).next().is_some()
     }
 
-    /// Inputs a rounding of one input beside a named question at which value or derivative has jumped.
+    /// Inputs that differ from a named question by a rounding error of one input, and at which value or derivative has jumped.
     fn other_sides(&self, k: usize) -> impl Iterator<Item = Vec<f64>> {
         let question = &self.questions[k];
         let results = |inputs: &[f64]| {
@@ -293,8 +293,8 @@ impl Court<'_> {
         })
     }
 
-    /// The bound of the number at this place. A product is a sum of as many terms as the vector has components, each of which
-    /// may be rounded.
+    /// The bound of the number at this index. A product is a sum of as many terms as the vector has components, each
+    /// of which may be rounded.
     pub(super) fn bound(&self, place: usize) -> f64 {
         let [n, m] = sizes(self.formula);
         match self.wanted {
@@ -304,8 +304,8 @@ impl Court<'_> {
         }
     }
 
-    /// What is exact at a question that is valid, and what every number of an answer has to be; `None` where there is nothing
-    /// to judge it by.
+    /// The exact results at a valid question, and the expected value of every number of an answer; `None` if there is
+    /// nothing to judge it by.
     pub(super) fn expected(&self, judge: &Judge, k: usize) -> (Truth, Vec<Option<Known>>) {
         let question = &self.questions[k];
         let expected = self.expected_at(judge, &question.inputs, question.directions.as_ref());
@@ -338,7 +338,7 @@ fn has_bits(found: &[Option<f64>], own: &[f64]) -> bool {
     found.iter().zip(own).all(|(found, own)| found.map(f64::to_bits) == Some(own.to_bits()))
 }
 
-/// Whether two answers are one; any NaN is as good as another.
+/// Whether two answers are the same; all NaNs are equal.
 fn is_same(first: &Answer, second: &Answer) -> bool {
     let bits = |x: &Option<f64>| x.map(|x| if x.is_nan() { f64::NAN.to_bits() } else { x.to_bits() });
     match (first, second) {
@@ -347,10 +347,10 @@ fn is_same(first: &Answer, second: &Answer) -> bool {
     }
 }
 
-/// So many roundings farther on it is looked whether something has jumped.
+/// The distance, in roundings, of a third point used to detect a jump.
 const FARTHER: f64 = 8.0;
 
-/// Whether something jumps from x to y, and does not go on to z as what passes through 0 does.
+/// Whether something jumps between x and y, and does not continue to z like a number that passes through 0.
 fn is_jump(x: f64, y: f64, z: f64) -> bool {
     let step = (x - y).abs();
     step > 1e-6 * (x.abs() + y.abs()) && (z - y).abs() < step

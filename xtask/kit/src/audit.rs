@@ -1,4 +1,4 @@
-//! `audit`: closed form against automatic differentiation against differences, and the laws.
+//! `audit`: closed form, automatic differentiation and differences compared with each other, and the laws.
 
 use crate::console::{count, figure, print, progress, say};
 use crate::elements;
@@ -95,14 +95,14 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
         None if !arguments.merge.is_empty() => merged(&formulas, &arguments.merge)?,
         None => audit(project, &formulas, &options)?,
     };
-    // A point, a share and a change are of formulas.
+    // Points, shares and changes concern formulas only.
     let is_of_formulas = arguments.point.is_some() || !arguments.merge.is_empty() || arguments.since.is_some();
     let of_elements = if is_of_formulas { Vec::new() } else { elements::audit(&chosen, &options) };
     let told = elements::text(&of_elements)?;
     let of_elements_alone = formulas.is_empty() && !of_elements.is_empty();
-    // At a single point on a kink there is nothing to check some claims with.
+    // At a single point on a kink, some claims cannot be checked.
     let passed = if arguments.point.is_some() { Audit::no_claim_failed } else { Audit::passed };
-    // A point is looked at to find out something else.
+    // An audit at a given point serves another purpose, so that missing evidence is not reported.
     let owed = if arguments.point.is_some() { Vec::new() } else { owed(project, &formulas)? };
     print(&match arguments.format {
         Format::Text if of_elements_alone => told.clone(),
@@ -132,7 +132,7 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     Ok(verdict(elements_passed && is_well(&owed, &audits, passed)))
 }
 
-/// What was audited, as JSON has it.
+/// An audit in the form of the JSON output.
 #[derive(serde::Serialize)]
 #[serde(untagged)]
 enum One<'a> {
@@ -140,12 +140,12 @@ enum One<'a> {
     Element(&'a ElementAudit),
 }
 
-/// Whether nothing is owed, and every audit has passed.
+/// Whether no evidence is missing, and every audit has passed.
 fn is_well(owed: &[String], audits: &[Audit], passed: fn(&Audit) -> bool) -> bool {
     owed.is_empty() && audits.iter().all(passed)
 }
 
-/// What failed, a finding a claim, each on the line of the function that it is about.
+/// One finding for each failed claim, on the line of the function it is about.
 fn findings(project: &Project, formulas: &[&dyn AnyFormula], audits: &[Audit]) -> anyhow::Result<Vec<Finding>> {
     let mut findings = Vec::new();
     for audit in audits {
@@ -162,7 +162,7 @@ fn findings(project: &Project, formulas: &[&dyn AnyFormula], audits: &[Audit]) -
     Ok(findings)
 }
 
-/// What is owed, for a code review.
+/// The missing evidence, for a code review.
 fn fenced(owed: &[String]) -> String {
     let text = anstream::adapter::strip_str(&owed.concat()).to_string();
     if text.is_empty() { text } else { format!("## Owed\n\n```text\n{text}```\n") }
@@ -183,7 +183,7 @@ fn parts(formulas: &[&dyn AnyFormula], options: &Options, shard: Shard) -> Vec<P
     formulas.par_iter().progress_with(bar).map(|formula| formula.audit_part(options, shard)).collect()
 }
 
-/// The audits of which all shares are in these files, in the order of the catalog.
+/// The audits whose shares are all in these files, in the order of the catalog.
 fn merged(formulas: &[&dyn AnyFormula], files: &[PathBuf]) -> anyhow::Result<Vec<Audit>> {
     let mut parts = BTreeMap::<String, Vec<Part>>::new();
     for file in files {
@@ -213,7 +213,7 @@ fn names(fields: &[Field]) -> String {
     fields.iter().map(|field| field.name).collect::<Vec<_>>().join(", ")
 }
 
-/// Audits formulas on all cores, and keeps what was found as evidence.
+/// Audits formulas on all cores, and keeps the results as evidence.
 pub(crate) fn audit(project: &Project, formulas: &[&dyn AnyFormula], options: &Options) -> anyhow::Result<Vec<Audit>> {
     let bar = progress("audit", formulas.len());
     let audits: Vec<_> = formulas.par_iter().progress_with(bar).map(|formula| formula.audit(options)).collect();
@@ -223,8 +223,8 @@ pub(crate) fn audit(project: &Project, formulas: &[&dyn AnyFormula], options: &O
     Ok(audits)
 }
 
-/// Audits the formulas of which this very program has not found already, with these options, that every claim holds; says how
-/// many were known.
+/// Audits those formulas for which this same program, with these options, has not already found every claim to hold;
+/// reports how many were known.
 pub(crate) fn audit_unknown(
     project: &Project,
     formulas: &[&dyn AnyFormula],
@@ -293,10 +293,10 @@ fn markdown(
     Ok(text)
 }
 
-/// Changes against a golden file that are listed before the rest is only counted.
+/// The number of changes of a golden file that are listed before the rest is only counted.
 const LISTED: usize = 5;
 
-/// What has changed against the committed golden file.
+/// The changes compared with the committed golden file.
 fn against_golden(project: &Project, formula: &dyn AnyFormula) -> String {
     match golden::changes(project, formula).as_deref() {
         Err(reason) => format!("There is no committed golden file to compare with: {reason}\n\n"),
@@ -305,7 +305,7 @@ fn against_golden(project: &Project, formula: &dyn AnyFormula) -> String {
     }
 }
 
-/// What has changed, of much the first.
+/// The changes, or the first of them if there are many.
 fn listed(changes: &[impl ToString]) -> String {
     let mut listed: Vec<_> = changes.iter().take(LISTED).map(ToString::to_string).collect();
     if changes.len() > LISTED {
@@ -322,7 +322,7 @@ mod tests {
     use expect_test::expect_file;
     use jointproof::connector::slot::{ContactForce, Friction};
 
-    /// What was found by the two audits of the sample.
+    /// The two audits of the sample.
     fn audits() -> [Audit; 2] {
         [sample::passed(), sample::failed()]
     }
@@ -337,7 +337,7 @@ mod tests {
         expect_file!["../tests/printed/audit.txt"].assert_eq(&without_colours(&printed));
     }
 
-    /// A figure of 0 has no worst point: of all, the first is as bad.
+    /// A deviation of 0 has no worst point: the first one is as bad as all others.
     #[test]
     fn a_figure_of_0_has_no_point_to_look_at() {
         let mut audit = sample::passed();
@@ -411,7 +411,7 @@ mod tests {
         assert_eq!(of(6), format!("{head}6 changes.\n\n- a\n- b\n- c\n- d\n- e\n- … and 1 more\n\n"));
     }
 
-    /// What was not checked has not held, unless nobody could check it.
+    /// An unchecked claim has not held, except at a single point where it could not be checked.
     #[test]
     fn a_claim_that_was_not_checked_is_off_but_at_a_single_point() {
         let mut audit = sample::passed();

@@ -82,7 +82,7 @@ fn run(project: &Project, matches: &ArgMatches) -> Outcome {
     }
 }
 
-/// All commands, with examples as one would type them in this project.
+/// All commands, with examples as they would be typed in this project.
 fn command_line(project: &Project) -> clap::Command {
     let own = project.extension.commands.iter().map(|(command, _)| command.clone());
     let all = Arguments::command().name(project.command()).bin_name(project.command()).subcommands(own);
@@ -95,8 +95,8 @@ fn command_line(project: &Project) -> clap::Command {
     })
 }
 
-/// Examples with the project's command and its shortest formula in the places of `{command}`, `{family}`, `{formula}` and
-/// `{point}`.
+/// Replaces `{command}`, `{family}`, `{formula}` and `{point}` in examples by the project's command and its shortest
+/// formula.
 fn examples(project: &Project, text: &str) -> String {
     let components = |fields: &[Field]| fields.iter().map(Field::len).sum::<usize>();
     let shortest = project.catalog().iter().min_by_key(|formula| components(formula.inputs()));
@@ -113,7 +113,7 @@ fn examples(project: &Project, text: &str) -> String {
     aligned(&text)
 }
 
-/// Lines with what stands behind two spaces moved into one column.
+/// Aligns the text after two spaces into one column.
 fn aligned(text: &str) -> String {
     let split = |line: &str| {
         let (example, what) = line.trim_start().split_once("  ").unwrap_or((line.trim_start(), ""));

@@ -4,10 +4,10 @@ use indicatif::{ProgressBar, ProgressStyle};
 pub use judge::console::{bold, count, figure, green, plain, red, yellow};
 use std::io::{ErrorKind, Write};
 
-/// Writes a result. A reader that has seen enough, as `head`, changes nothing about the verdict, so it is no error.
+/// Writes a result. It is no error if the reader stops reading, like `head`, since that does not affect the verdict.
 ///
 /// # Errors
-/// What the stream says otherwise.
+/// Any other error of the stream.
 pub fn print(text: &str) -> anyhow::Result<()> {
     let mut out = anstream::stdout().lock();
     let end = if text.ends_with('\n') { "" } else { "\n" };
@@ -17,12 +17,12 @@ pub fn print(text: &str) -> anyhow::Result<()> {
     }
 }
 
-/// Says something that is not a result. A standard error that is closed is not worth failing for.
+/// Writes a message that is not a result. A closed standard error is ignored.
 pub fn say(text: &str) {
     let _ = writeln!(anstream::stderr(), "{text}");
 }
 
-/// Says what went wrong.
+/// Writes an error message.
 pub fn error(text: &str) {
     say(&format!("{} {text}", red("error:")));
 }

@@ -1,5 +1,5 @@
-//! `equation`: whether a reader's own LaTeX is the same function as a formula; without one, whether all that is printed
-//! is.
+//! `equation`: whether a reader's own LaTeX is the same function as a formula; without an argument, whether all
+//! printed equations are.
 
 use crate::console::{count, figure, green, print, red};
 use crate::outcome::{Outcome, Usage, verdict};
@@ -65,7 +65,7 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     Ok(verdict(claim.held()))
 }
 
-/// Executes every printed equation, and what the chapters claim.
+/// Executes every printed equation, and the claims in the chapters.
 fn all(project: &Project, options: &Options) -> Outcome {
     let start = Instant::now();
     let (mut checks, mut off) = ([0; 2], Vec::new());
@@ -120,7 +120,7 @@ fn text(id: &str, claim: &Claim) -> String {
     failed(id, claim)
 }
 
-/// What a claim about a formula found.
+/// The failure of a claim about a formula.
 fn failed(id: &str, claim: &Claim) -> String {
     let compared = count(claim.checks, "comparison");
     let failures = format!("{} not {id}: {} of {compared} differ\n", red("off"), claim.failures);

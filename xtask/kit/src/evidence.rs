@@ -1,7 +1,7 @@
-//! What was executed: kept between commands, and shown in the book.
+//! The evidence from executed checks: kept between commands, and shown in the book.
 //!
-//! A record counts only for the code it was made with: each formula carries a fingerprint of the files on which its evidence
-//! rests, and what was found on another version is as good as nothing.
+//! A record counts only for the code it was made with: each formula carries a fingerprint of the files on which its
+//! evidence depends, and results of another version are discarded.
 
 use crate::files;
 use crate::project::Project;
@@ -12,7 +12,7 @@ use std::hash::{DefaultHasher, Hasher};
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
-/// What the last golden check and audit found about this version of the code.
+/// The results of the last golden check and audit of this version of the code.
 #[derive(Debug, Default, Serialize, Deserialize)]
 pub(crate) struct Evidence {
     /// By formula.
@@ -21,17 +21,17 @@ pub(crate) struct Evidence {
     pub(crate) golden: BTreeMap<String, GoldenCheck>,
     /// By formula.
     pub(crate) audits: BTreeMap<String, Audit>,
-    /// By formula, the program that audited it.
+    /// The digest of the program that audited each formula.
     #[serde(default)]
     auditors: BTreeMap<String, String>,
 }
 
-/// What a golden check compared.
+/// The result of a golden check.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub(crate) struct GoldenCheck {
     /// Cases regenerated and compared.
     pub(crate) cases: usize,
-    /// Whether the file was what the code says, byte for byte.
+    /// Whether the file equals the generated one, byte for byte.
     pub(crate) same: bool,
 }
 
@@ -50,7 +50,7 @@ impl Evidence {
         Self { fingerprints, golden, audits, auditors: stored.auditors }
     }
 
-    /// Keeps what this program found.
+    /// Stores the audits of this program.
     pub(crate) fn add_audits(&mut self, audits: &[Audit]) {
         let program = program();
         for audit in audits {
@@ -62,7 +62,7 @@ impl Evidence {
         }
     }
 
-    /// By formula, the audits in which this very program found with these options that every claim holds: it would find it
+    /// By formula, the audits in which this same program with these options found every claim to hold. It would do so
     /// again, since an audit depends on nothing else.
     pub(crate) fn found_by_this_program(mut self, options: &Options) -> BTreeMap<String, Audit> {
         let Some(program) = program() else { return BTreeMap::new() };
@@ -73,7 +73,7 @@ impl Evidence {
         self.audits
     }
 
-    /// Keeps it, where the project is: a program that was installed may have outlived it.
+    /// Saves the evidence if the project's folder still exists: an installed program may have outlived it.
     pub(crate) fn save(&self, project: &Project) -> anyhow::Result<()> {
         if !project.root().exists() {
             return Ok(());
@@ -86,17 +86,18 @@ fn path(project: &Project) -> PathBuf {
     project.kept("evidence.json")
 }
 
-/// For every formula the files on which its evidence rests.
+/// For every formula, the files on which its evidence depends.
 type Reach = BTreeMap<String, Vec<PathBuf>>;
 
-/// What a version of the sources reaches, which takes a while to find.
+/// The reach for a version of the sources, which takes a while to determine.
 #[derive(Serialize, Deserialize)]
 struct Kept {
     fingerprint: u64,
     reach: Reach,
 }
 
-/// The files on which the evidence of every formula rests; `None` where nobody says, or the sources cannot be read.
+/// The files on which the evidence of every formula depends; `None` if the project does not define them, or the
+/// sources cannot be read.
 pub(crate) fn reach(project: &Project) -> Option<Reach> {
     let find = project.extension.reach?;
     let (fingerprint, path) = (fingerprint(project), project.kept("reach.json"));
@@ -105,12 +106,12 @@ pub(crate) fn reach(project: &Project) -> Option<Reach> {
         return Some(kept.reach);
     }
     let kept = Kept { fingerprint, reach: find(project).ok()? };
-    // If it cannot be kept it is found again.
+    // If it cannot be saved, it is determined again the next time.
     let _ = serde_json::to_string(&kept).map(|text| files::write(&path, &text));
     Some(kept.reach)
 }
 
-/// Of every formula a hash of the files on which its evidence rests.
+/// For every formula, a hash of the files on which its evidence depends.
 fn fingerprints(project: &Project) -> BTreeMap<String, u64> {
     let Some(reach) = reach(project) else {
         let all = fingerprint(project);
@@ -143,14 +144,14 @@ pub(crate) fn fingerprint(project: &Project) -> u64 {
     hasher.finish()
 }
 
-/// The SHA-256 of the program that is running; `None` where it cannot be read.
+/// The SHA-256 of the running program; `None` if it cannot be read.
 fn program() -> Option<&'static str> {
     static PROGRAM: LazyLock<Option<String>> =
         LazyLock::new(|| std::fs::read(std::env::current_exe().ok()?).ok().map(files::digest));
     PROGRAM.as_deref()
 }
 
-/// Adds a file, or all of a folder, with their names from the root: they are the same wherever that is.
+/// Hashes a file, or everything in a folder, with paths relative to the root, so that the result does not depend on its location.
 fn add(root: &Path, path: &Path, hasher: &mut impl Hasher) {
     if let Ok(entries) = std::fs::read_dir(root.join(path)) {
         let mut paths: Vec<_> = entries.flatten().map(|entry| path.join(entry.file_name())).collect();
@@ -186,7 +187,7 @@ mod tests {
         assert!(is("found"));
     }
 
-    /// A formula rests on the files that it reaches: on what they hold, and on what they are called.
+    /// The fingerprint of a formula depends on the content and the names of the files that it reaches.
     #[test]
     fn a_fingerprint_is_of_the_files_that_are_reached() {
         let root = tempfile::tempdir().unwrap();
@@ -212,7 +213,7 @@ mod tests {
         assert!(of().iter().zip(&third).all(|(now, before)| now != before));
     }
 
-    /// What was measured in one checkout is of this version in every other.
+    /// Measurements from one checkout are valid in any other with the same files.
     #[test]
     fn a_fingerprint_is_that_of_the_same_files_elsewhere() {
         let of = |text: &str| {
@@ -224,7 +225,7 @@ mod tests {
         assert_ne!(of("one"), of("two"));
     }
 
-    /// What was found is kept by formula: what is found of one leaves the others as they are.
+    /// Evidence is kept by formula: that of one does not affect the others.
     #[test]
     fn what_was_found_is_loaded_again_where_nothing_has_changed() {
         let root = tempfile::tempdir().unwrap();
@@ -234,7 +235,7 @@ mod tests {
         let loaded = || Evidence::load(&project).audits.into_keys().collect::<Vec<_>>();
         edit("one");
         let mut evidence = Evidence::load(&project);
-        // Of the second formula nobody says on what it rests.
+        // The files on which the second formula depends are unknown.
         evidence.add_audits(&[sample::passed(), sample::failed()]);
         evidence.save(&project).unwrap();
         assert_eq!(loaded(), ["t.first"]);

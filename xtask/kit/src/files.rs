@@ -1,4 +1,4 @@
-//! How files are written, and told from one another.
+//! Writing files, and computing digests of them.
 
 use anyhow::Context;
 use sha2::{Digest, Sha256};
@@ -15,14 +15,14 @@ pub(crate) fn digest(content: impl AsRef<[u8]>) -> String {
     })
 }
 
-/// The first digits of it, which are enough to tell one version from another.
+/// The first digits of the digest, enough to distinguish versions.
 pub(crate) fn short_digest(content: impl AsRef<[u8]>) -> String {
     let mut digest = digest(content);
     digest.truncate(16);
     digest
 }
 
-/// The JSON files of a folder, in order, but those whose name without its ending is known; none where there is no folder.
+/// The JSON files of a folder, in order, except those whose base name is known; none if there is no folder.
 pub(crate) fn json_but(folder: &Path, is_known: impl Fn(&str) -> bool) -> anyhow::Result<Vec<PathBuf>> {
     let cannot = || format!("cannot list {}", folder.display());
     let entries = match std::fs::read_dir(folder) {
@@ -41,11 +41,11 @@ pub(crate) fn json_but(folder: &Path, is_known: impl Fn(&str) -> bool) -> anyhow
     Ok(found)
 }
 
-/// Writes a file under a temporary name beside it and renames it, so that an interrupted run leaves the old one whole.
-/// A file that already holds the text is not touched. Returns whether it was written.
+/// Writes a file under a temporary name next to it and renames it, so that an interrupted run leaves the old one
+/// intact. A file that already contains the text is not touched. Returns whether it was written.
 ///
 /// # Errors
-/// What the file system says, and where.
+/// An error of the file system, with the path.
 pub fn write(path: &Path, text: &str) -> anyhow::Result<bool> {
     if std::fs::read(path).is_ok_and(|present| present == text.as_bytes()) {
         return Ok(false);
@@ -57,10 +57,10 @@ pub fn write(path: &Path, text: &str) -> anyhow::Result<bool> {
     Ok(true)
 }
 
-/// The same for what is written piece by piece, and not compared before.
+/// The same for content that is written piece by piece and not compared beforehand.
 ///
 /// # Errors
-/// As [`write()`].
+/// As for [`write()`].
 pub fn write_with(path: &Path, content: impl FnOnce(&mut File) -> anyhow::Result<()>) -> anyhow::Result<()> {
     let shown = path.display();
     let directory = path.parent().with_context(|| format!("{shown} has no directory"))?;
@@ -75,7 +75,7 @@ pub fn write_with(path: &Path, content: impl FnOnce(&mut File) -> anyhow::Result
 fn builder() -> tempfile::Builder<'static, 'static> {
     let mut builder = tempfile::Builder::new();
     builder.prefix(".writing-");
-    // Else only the owner could read it.
+    // The default would be readable by the owner only.
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o644));
     builder
@@ -85,7 +85,7 @@ fn builder() -> tempfile::Builder<'static, 'static> {
 mod tests {
     use super::*;
 
-    /// The digest is the one that the standard gives for this text.
+    /// The digest of this text is given in the standard.
     #[test]
     fn a_digest_is_that_of_sha_256_in_hexadecimal_digits() {
         let expected = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
@@ -100,13 +100,13 @@ mod tests {
         assert!(write(&path, "one").unwrap() && !write(&path, "one").unwrap() && write(&path, "two").unwrap());
         assert_eq!(std::fs::read_to_string(&path).unwrap(), "two");
         assert_eq!(std::fs::read_dir(root.path().join("a")).unwrap().count(), 1);
-        // What cannot be written is left as it was.
+        // A file that cannot be written is left unchanged.
         let refused = write_with(&path, |_| anyhow::bail!("no more")).unwrap_err();
         assert_eq!(format!("{refused:#}"), format!("cannot write {}: no more", path.display()));
         assert_eq!(std::fs::read_to_string(&path).unwrap(), "two");
     }
 
-    /// As any other file that is made here, but only its owner may write to it, and nobody run it.
+    /// Readable by all like other files, but writable only by the owner, and not executable.
     #[cfg(unix)]
     #[test]
     fn others_may_read_what_is_written() {

@@ -1,4 +1,4 @@
-//! `formulas`: what there is.
+//! `formulas`: lists the formulas.
 
 use crate::console::{bold, print};
 use crate::outcome::{Outcome, verdict};

@@ -1,6 +1,6 @@
-//! The kit: what proves a catalog of formulas, as commands.
+//! The kit: commands that prove a catalog of formulas.
 //!
-//! A crate with formulas of its own gets `verify`, `golden`, `audit`, `report`, `book` and `new` by a `main` like this:
+//! A crate with its own formulas gets `verify`, `golden`, `audit`, `report`, `book` and `new` from a `main` like this:
 //!
 //! ```no_run
 //! use kit::Project;
@@ -12,8 +12,8 @@
 //! }
 //! ```
 //!
-//! `report` times a program that is built with optimisation, without all this: a package of its own, whose `main` is
-//! [`measuring::main`], and which [`Project::measured_by`] names.
+//! `report` times a separate optimised program that does not contain the kit: a package whose `main` is
+//! [`measuring::main`], named by [`Project::measured_by`].
 
 mod audit;
 mod book;

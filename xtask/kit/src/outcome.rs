@@ -1,11 +1,11 @@
-//! How a command ends.
+//! The outcome of a command.
 
 use std::process::ExitCode;
 
-/// How a command ended.
+/// The outcome of a command.
 pub type Outcome = anyhow::Result<ExitCode>;
 
-/// Bad usage that only the command can see, as a filter that matches nothing.
+/// Bad usage that only the command can detect, such as a filter that matches nothing.
 #[derive(Debug, thiserror::Error)]
 #[error("{0}")]
 pub struct Usage(pub String);

@@ -1,4 +1,4 @@
-//! What a formula still owes before it counts as proved, all at once.
+//! Finds all missing evidence that a formula needs before it counts as proved.
 
 use crate::book::coverage::directives;
 use crate::console::{bold, count, red};
@@ -8,18 +8,18 @@ use jointproof::formula::proof::Flag;
 use jointproof::formula::{Field, Provenance};
 use std::collections::HashSet;
 
-/// Something that every formula owes.
+/// A requirement on every formula.
 pub(crate) struct Demand {
-    /// What it is.
+    /// A short description.
     pub(crate) what: &'static str,
-    /// Where it belongs and how it is written; `{id}` and `{command}` stand for those of the formula and the project.
+    /// Where it belongs and how it is written; `{id}` and `{command}` are replaced by those of the formula and the project.
     how: &'static str,
-    /// Whether it is still owed where `new` has written a skeleton.
+    /// Whether it is still unmet after `new` has written a skeleton.
     pub(crate) is_of_author: bool,
     is_paid: Box<dyn Fn(&Look<'_>) -> bool>,
 }
 
-/// A formula that is looked at.
+/// A formula to be checked.
 struct Look<'a> {
     project: &'a Project,
     formula: &'a dyn AnyFormula,
@@ -36,13 +36,13 @@ impl Demand {
         Self { is_of_author: false, ..self }
     }
 
-    /// Where it belongs and how it is written, for the formula of this identifier.
+    /// Where it belongs and how it is written, for the formula with this identifier.
     pub(crate) fn how(&self, project: &Project, id: &str) -> String {
         self.how.replace("{id}", id).replace("{command}", project.command())
     }
 }
 
-/// Everything that a formula of this project owes.
+/// All requirements on a formula of this project.
 pub(crate) fn demands(project: &Project) -> Vec<Demand> {
     let mut demands = vec![
         Demand::new("an identifier", "`family.name` in `SPEC`, of small letters, digits and _", |look| {
@@ -89,7 +89,8 @@ pub(crate) fn demands(project: &Project) -> Vec<Demand> {
     demands
 }
 
-/// What these formulas owe, a block a formula; empty if nothing is owed. Without the repository nobody can tell.
+/// The unmet requirements of these formulas, one block per formula; empty if there are none. Without the repository
+/// they cannot be checked, and the result is empty too.
 pub(crate) fn owed(project: &Project, formulas: &[&dyn AnyFormula]) -> anyhow::Result<Vec<String>> {
     if !project.root().exists() {
         return Ok(Vec::new());
@@ -106,7 +107,7 @@ pub(crate) fn owed(project: &Project, formulas: &[&dyn AnyFormula]) -> anyhow::R
     Ok(formulas.iter().filter_map(block).collect())
 }
 
-/// How many formulas owe something, for a summary.
+/// How many formulas have unmet requirements, for a summary.
 pub(crate) fn summary(formulas: usize, owed: &[String]) -> String {
     let formulas = count(formulas, "formula");
     match owed.len() {
@@ -127,7 +128,7 @@ fn is_described(field: &Field) -> bool {
     !field.quantity.latex.is_empty() && !field.quantity.meaning.is_empty()
 }
 
-/// Whether this can be a family or the name of a formula.
+/// Whether this is a valid name of a family or a formula.
 pub(crate) fn is_name(name: &str) -> bool {
     name.starts_with(|c: char| c.is_ascii_lowercase())
         && name.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_')

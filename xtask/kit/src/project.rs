@@ -1,4 +1,4 @@
-//! What the commands work on: a catalog of formulas, and the folder that its sources, golden files and book are in.
+//! The subject of the commands: a catalog of formulas, and the folder of its sources, golden files and book.
 
 use crate::{
     extension::{Beside, Exhibits},
@@ -14,9 +14,9 @@ pub type Catalog = &'static [&'static dyn AnyFormula];
 /// Every element of a project, in the order of its book.
 pub type Elements = &'static [&'static dyn AnyElement];
 
-/// A catalog of formulas and elements, and where everything about it is.
+/// A catalog of formulas and elements, and the folder of everything about it.
 ///
-/// In its folder, `src` and `tests` hold the sources, `golden` the golden files and `book` the book.
+/// In its folder, `src` and `tests` contain the sources, `golden` the golden files and `book` the book.
 pub struct Project {
     name: &'static str,
     command: &'static str,
@@ -28,7 +28,7 @@ pub struct Project {
     pub(crate) extension: Extension,
 }
 
-/// What a project adds to the commands.
+/// A project's extensions of the commands.
 #[derive(Default)]
 pub(crate) struct Extension {
     pub(crate) commands: Vec<Command>,
@@ -39,19 +39,19 @@ pub(crate) struct Extension {
     pub(crate) debts: Vec<(&'static str, IsPaid, &'static str)>,
 }
 
-/// A command, and what runs it.
+/// A command, and the function that runs it.
 type Command = (clap::Command, Box<dyn Fn(&Project, &ArgMatches) -> Outcome + Send + Sync>);
 
-/// Whether the formula of this identifier has what every formula owes.
+/// Whether the formula with this identifier meets a requirement.
 type IsPaid = fn(&Project, &str) -> bool;
 
-/// For every formula, by identifier, the files from the root on which its evidence rests.
+/// For every formula, by identifier, the files, as paths from the root, on which its evidence depends.
 pub type Reach = fn(&Project) -> anyhow::Result<std::collections::BTreeMap<String, Vec<PathBuf>>>;
 
-/// What makes golden files that are not of formulas.
+/// Generates golden files other than those of formulas.
 type Golden = fn(&Project) -> anyhow::Result<Beside>;
 
-/// A step more of `verify`: whether all is well, and how much was looked at. What is off is said on standard error.
+/// An additional step of `verify`: whether all is well, and how much was checked. Faults are reported on standard error.
 pub type Check = fn(&Project) -> anyhow::Result<(bool, String)>;
 
 impl Project {
@@ -72,25 +72,25 @@ impl Project {
         }
     }
 
-    /// With elements beside the formulas.
+    /// Adds elements to the formulas.
     #[must_use]
     pub fn with_elements(self, elements: Elements) -> Self {
         Self { elements, ..self }
     }
 
-    /// With sources, golden files and book not in the package's own folder but in this one, seen from there, as `..`.
+    /// Puts sources, golden files and book in this folder, relative to the package's own, as `..`, instead of the package's own.
     #[must_use]
     pub fn in_folder(self, relative: &str) -> Self {
         Self { root: root_or(self.beside(relative)), ..self }
     }
 
-    /// With the package, in this folder seen from the package's own, whose program `report` has built and times.
+    /// Sets the package, in this folder relative to the package's own, whose program `report` builds and times.
     #[must_use]
     pub fn measured_by(self, relative: &str) -> Self {
         Self { measured: Some(self.beside(relative)), ..self }
     }
 
-    /// A folder seen from the package's own, without `..` in its path.
+    /// A folder relative to the package's own, without `..` in its path.
     fn beside(&self, relative: &str) -> PathBuf {
         let mut folder = self.folder.clone();
         for part in Path::new(relative) {
@@ -103,7 +103,7 @@ impl Project {
         folder
     }
 
-    /// With another command to be named in help and messages than `cargo run --`.
+    /// Sets the command named in help and messages, instead of `cargo run --`.
     #[must_use]
     pub fn called(self, command: &'static str) -> Self {
         Self { command, ..self }
@@ -114,7 +114,7 @@ impl Project {
         self.name
     }
 
-    /// What one types before the name of a command.
+    /// What users type before the name of a command.
     pub fn command(&self) -> &'static str {
         self.command
     }
@@ -139,7 +139,7 @@ impl Project {
         self.elements
     }
 
-    /// The formula of this identifier.
+    /// The formula with this identifier.
     pub fn find(&self, id: &str) -> Option<&'static dyn AnyFormula> {
         self.catalog.iter().copied().find(|formula| formula.spec().id == id)
     }
@@ -154,12 +154,12 @@ impl Project {
         self.root.join("book/src").exists()
     }
 
-    /// The golden file of the formula of this identifier.
+    /// The golden file of the formula with this identifier.
     pub fn golden_file(&self, id: &str) -> PathBuf {
         self.golden().join(format!("{id}.json"))
     }
 
-    /// Where what can be made again is put: the book, and below it reports and evidence.
+    /// The folder of generated files: the book, and below it reports and evidence.
     pub fn target(&self) -> PathBuf {
         std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| self.root.join("target"), PathBuf::from)
     }
@@ -169,15 +169,15 @@ impl Project {
         self.target().join(self.name).join(file)
     }
 
-    /// A path as one would type it in the folder of the project.
+    /// A path as typed in the folder of the project.
     pub fn shown(&self, path: &Path) -> String {
         path.strip_prefix(&self.root).unwrap_or(path).display().to_string()
     }
 
-    /// That the folder of the project is there, for a command that works on it: one that is installed may have outlived it.
+    /// Checks that the folder of the project exists, for a command that needs it: an installed command may have outlived it.
     ///
     /// # Errors
-    /// That it is not there, and what to do instead.
+    /// If it does not exist, with advice what to do instead.
     pub fn needs_repository(&self, command: &str, instead: &str) -> Result<(), Usage> {
         if self.root.exists() {
             return Ok(());
@@ -188,7 +188,7 @@ impl Project {
         )))
     }
 
-    /// With a command more. Its arguments are those that clap derives, whose examples name it as `{command} NAME …`.
+    /// Adds a command. Its arguments are derived by clap, and its examples refer to it as `{command} NAME …`.
     #[must_use]
     pub fn with_command<A: Args + FromArgMatches + 'static>(
         mut self,
@@ -201,36 +201,36 @@ impl Project {
         self
     }
 
-    /// With golden files beside those of the formulas, under a name for the summary of `verify`.
+    /// Adds golden files other than those of the formulas, under a name for the summary of `verify`.
     #[must_use]
     pub fn with_golden(mut self, name: &'static str, files: Golden) -> Self {
         self.extension.beside = Some((name, files));
         self
     }
 
-    /// With a step more in `verify`, under a name for its summary.
+    /// Adds a step to `verify`, under a name for its summary.
     #[must_use]
     pub fn with_check(mut self, name: &'static str, check: Check) -> Self {
         self.extension.checks.push((name, check));
         self
     }
 
-    /// With the files on which the evidence of every formula rests, so that an edit makes only the evidence old that it touches.
-    /// Without this any edit of `src` or `golden` makes all of it old.
+    /// Sets the function that returns the files on which the evidence of every formula depends, so that an edit
+    /// invalidates only the evidence it affects. Without it, any edit of `src` or `golden` invalidates all evidence.
     #[must_use]
     pub fn with_reach(mut self, reach: Reach) -> Self {
         self.extension.reach = Some(reach);
         self
     }
 
-    /// With something more that every formula owes: what it is, who has it by identifier, and how it is written.
+    /// Adds a requirement on every formula: a description, whether a formula meets it, and how to meet it.
     #[must_use]
     pub fn with_debt(mut self, what: &'static str, is_paid: IsPaid, how: &'static str) -> Self {
         self.extension.debts.push((what, is_paid, how));
         self
     }
 
-    /// With exhibits for the book.
+    /// Adds generated content for the book.
     #[must_use]
     pub fn with_exhibits(mut self, exhibits: fn(&Self) -> anyhow::Result<Exhibits>) -> Self {
         self.extension.exhibits = Some(exhibits);

@@ -1,4 +1,5 @@
-//! What the chapters claim: display equations are executed, numbers are computed or found in the test that computes them.
+//! Checks the claims of the chapters: display equations are executed, and numbers are computed or found in the test
+//! that computes them.
 
 use crate::book::prose::{About, Chapter, Display, Formulas, Mark, read};
 use crate::book::{Fault, Numeral, Origin, coverage, is_rounded};
@@ -11,13 +12,13 @@ use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use std::collections::BTreeMap;
 use std::path::Path;
 
-/// Random points a claim, beside the cases of the formula and the points beside its kinks.
+/// Random points per claim, in addition to the cases of the formula and the points near its kinks.
 const SAMPLES: usize = 30;
 
-/// Random points a view, beside the same.
+/// Random points per view, in addition to the same points.
 const VIEW_SAMPLES: usize = 5;
 
-/// What was checked.
+/// The counts of what was checked.
 #[derive(Default)]
 struct Tally {
     executed: usize,
@@ -29,7 +30,7 @@ struct Tally {
     in_words: usize,
 }
 
-/// What is off, and how much was checked.
+/// The faults, and the counts of what was checked.
 pub(crate) fn check(project: &Project) -> anyhow::Result<(Vec<Fault>, String)> {
     let formulas = Formulas(project.catalog());
     let (mut faults, mut tally) = (Vec::new(), Tally::default());
@@ -68,7 +69,7 @@ pub(crate) fn check(project: &Project) -> anyhow::Result<(Vec<Fault>, String)> {
     Ok((faults, format!("{executed}, {views} of entries and {kinks} executed, {other}, {comparisons}, {numbers}")))
 }
 
-/// Executes what an entry shows beside its equation.
+/// Executes what an entry shows in addition to its equation.
 fn entry(formula: &dyn AnyFormula) -> (Tally, Vec<Fault>) {
     let mut tally = Tally::default();
     let mut off = kinks(formula, &mut tally);
@@ -78,12 +79,12 @@ fn entry(formula: &dyn AnyFormula) -> (Tally, Vec<Fault>) {
     (tally, off.into_iter().map(fault).collect())
 }
 
-/// Executes what an entry shows below its equation: the same with everything put in, and its variation.
+/// Executes the views that an entry shows below its equation: the closed form and the variation.
 fn views(formula: &dyn AnyFormula, tally: &mut Tally) -> Result<(), String> {
     let signature = Signature { spec: formula.spec(), inputs: formula.inputs(), outputs: formula.outputs() };
     let unread = |error: jointproof::toolkit::equation::Error| error.to_string();
     let view = View::of(&signature).map_err(unread)?;
-    // Nothing is shown where two entries call different things by the same symbol.
+    // Nothing is shown if two entries use one symbol for different things.
     let Some(view) = view else { return Ok(()) };
     let options = Options { samples: VIEW_SAMPLES, ..Options::default() };
     let closed = view.equation(&signature).map_err(unread)?.map(|closed| formula.trial(&options).compare(&closed));
@@ -112,7 +113,7 @@ fn kinks(formula: &dyn AnyFormula, tally: &mut Tally) -> Vec<String> {
     off
 }
 
-/// Executes what is claimed.
+/// Executes the claims.
 fn executed(
     formulas: &Formulas<'_>,
     latex: &str,
@@ -154,7 +155,7 @@ fn verdict(claim: &Claim) -> Result<(), String> {
     }
 }
 
-/// Whether a number is what it says it is.
+/// Whether a number is what it claims to be.
 fn held(project: &Project, formulas: &Formulas<'_>, numeral: &Numeral) -> Result<(), String> {
     let Numeral { written, origin, .. } = numeral;
     match origin {
@@ -170,7 +171,7 @@ fn held(project: &Project, formulas: &Formulas<'_>, numeral: &Numeral) -> Result
     }
 }
 
-/// Whether a test or a constant of this name has the number in it: `file::name`, or `name` anywhere.
+/// Whether a test or a constant with this name contains the number: `file::name`, or `name` in any file.
 fn in_test(project: &Project, test: &str, written: &str) -> Result<(), String> {
     let (file, name) = test.split_once("::").map_or((None, test), |(file, name)| (Some(file), name));
     let mut texts = Vec::new();
@@ -186,7 +187,7 @@ fn in_test(project: &Project, test: &str, written: &str) -> Result<(), String> {
     if has { Ok(()) } else { Err(format!("`{test}` has no {written} in it")) }
 }
 
-/// The Rust files below a folder, or those of one name.
+/// The Rust files below a folder, or those with one name.
 fn collect(path: &Path, name: Option<&str>, texts: &mut Vec<String>) {
     if let Ok(entries) = std::fs::read_dir(path) {
         entries.flatten().for_each(|entry| collect(&entry.path(), name, texts));
@@ -280,7 +281,7 @@ mod tests {
         assert!(nothing.is_empty() && first.in_words == 0);
         let (views, kinks) = (first.views + second.views, first.kinks + second.kinks);
         let comparisons = first.comparisons + second.comparisons;
-        // Without a book there are the entries alone.
+        // Without a book there are only the entries.
         let (off, counts) = check(&project()).unwrap();
         assert_eq!(off.len(), faults.len());
         let entries = format!("{} of entries and {} executed", count(views, "view"), count(kinks, "kink"));

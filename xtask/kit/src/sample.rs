@@ -1,5 +1,5 @@
-//! Made-up audits and reports of which no two numbers are the same. What is printed of them is kept in `tests/printed`: a column
-//! that shows another's number, a side that is swapped or a sign that is lost is a difference.
+//! Made-up audits and reports in which no two numbers are the same. Output generated from them is kept in
+//! `tests/printed`, so that a column with the wrong number, swapped sides or a lost sign show as a difference.
 
 use crate::report::data::{Machine, Report};
 use jointproof::toolkit::measure::{
@@ -57,7 +57,7 @@ pub(crate) fn passed() -> Audit {
     }
 }
 
-/// An audit that found something in nearly every claim, and has not checked one.
+/// An audit with failures in nearly every claim, and one unchecked claim.
 pub(crate) fn failed() -> Audit {
     Audit {
         formula: "t.second".into(),
@@ -90,13 +90,13 @@ fn time(median: f64) -> Time {
     Time { median, low: 0.9 * median, high: 1.2 * median }
 }
 
-/// Errors that grow with the number they are made from.
+/// Errors that increase with `size`.
 fn errors(points: usize, not_finite: usize, size: f64) -> Errors {
     let quantiles = |x: f64| Quantiles { median: x, p99: 2.0 * x, max: 3.0 * x };
     Errors { points, not_finite, eta: quantiles(size), relative: size * 1e-16 }
 }
 
-/// A way whose value takes so long and has such an error; that of its Jacobian is more of both.
+/// A method whose value has this time and this error; those of its Jacobian are larger.
 fn way(id: &str, title: &str, ns: f64, error: f64) -> WayFigures {
     let hard = |case: &str, ordinary, factor: f64| PointTime {
         case: case.into(),
@@ -120,7 +120,7 @@ fn way(id: &str, title: &str, ns: f64, error: f64) -> WayFigures {
     }
 }
 
-/// The measurement of a formula; all times are so many times as long.
+/// The measurement of a formula; all times are multiplied by `slow`.
 pub(crate) fn measurement(formula: &str, slow: f64) -> Measurement {
     let curve = |scheme, best, least| Curve {
         scheme,

@@ -1,4 +1,4 @@
-//! Which formulas and elements a command works on.
+//! The formulas and elements that a command works on.
 
 use crate::outcome::Usage;
 use crate::project::Project;
@@ -52,7 +52,7 @@ impl Selection {
         Ok((formulas, elements))
     }
 
-    /// Whether a formula of this identifier is asked for, if there is one.
+    /// A predicate that tells whether the formula with an identifier is selected.
     pub(crate) fn is_asked(&self) -> Result<impl Fn(&str) -> bool + use<>, Usage> {
         let pattern = self.filter.as_deref().unwrap_or("*");
         let glob = globset::Glob::new(pattern).map_err(|error| Usage(format!("--filter is not a pattern: {error}")))?;

@@ -1,4 +1,4 @@
-//! Which formulas a change touches.
+//! The formulas that a change affects.
 
 use crate::evidence;
 use crate::outcome::Usage;
@@ -8,8 +8,8 @@ use std::collections::BTreeSet;
 use std::path::PathBuf;
 use std::process::Command;
 
-/// Those of the formulas whose evidence rests on a file that is not as it was at a revision. Where nobody says on what it rests,
-/// any change of `src` or `golden` touches all.
+/// Those of the formulas whose evidence depends on a file that has changed since a revision. If the dependencies are
+/// unknown, any change of `src` or `golden` affects all formulas.
 pub(crate) fn touched<'a>(
     project: &Project,
     formulas: &[&'a dyn AnyFormula],
@@ -22,7 +22,7 @@ pub(crate) fn touched<'a>(
     Ok(formulas.iter().filter(|formula| is_touched(files(**formula).map(Vec::as_slice), &changed)).copied().collect())
 }
 
-/// Whether what rests on these files, if they are known, is touched by a change.
+/// Whether evidence that depends on these files, if they are known, is affected by a change.
 fn is_touched(files: Option<&[PathBuf]>, changed: &BTreeSet<PathBuf>) -> bool {
     match files {
         Some(files) => files.iter().any(|file| changed.contains(file)),

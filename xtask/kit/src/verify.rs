@@ -1,4 +1,4 @@
-//! `verify`: what formulas owe, golden files, audit, chapters and book, with a short summary.
+//! `verify`: requirements on formulas, golden files, audit, chapters and book, with a short summary.
 
 use crate::book::{Summary, build_book};
 use crate::console::{self, count, green, print, red, say};
@@ -57,7 +57,7 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     Ok(verdict(steps.iter().all(|step| step.passed)))
 }
 
-/// A line a step, with what was looked at in a column.
+/// One line per step, with the counts aligned in a column.
 fn summary(steps: &[Step]) -> String {
     let width = steps.iter().map(|step| step.name.len()).max().unwrap_or_default();
     let line = |Step { name, passed, counts, time }: &Step| {
@@ -73,7 +73,7 @@ fn step(name: &'static str, job: impl FnOnce() -> anyhow::Result<(bool, String)>
     Ok(Step { name, passed, counts, time: start.elapsed() })
 }
 
-/// Says what is off with golden files, in full.
+/// Reports the differences of golden files, in full.
 fn told(project: &Project, Checked { passed, counts, report }: Checked) -> (bool, String) {
     if !passed {
         say(report.trim_end());
@@ -119,7 +119,7 @@ fn check_elements(project: &Project, arguments: &Arguments) -> anyhow::Result<(b
     Ok((failed.is_empty(), elements::total(&audits)))
 }
 
-/// Says what is off with the mathematics and the numbers of chapters.
+/// Reports the faults in the mathematics and the numbers of chapters.
 fn check_prose(project: &Project) -> anyhow::Result<(bool, String)> {
     let (faults, counts) = prose::check(project)?;
     for fault in &faults {
@@ -135,7 +135,7 @@ fn check_book(project: &Project) -> (bool, String) {
                 [(chapters, "chapter"), (formulas, "formula")].map(|(number, noun)| count(number, noun));
             (true, format!("{chapters}, {formulas}: {}", project.shown(&index)))
         }
-        // The other verdicts stand whatever ails the book.
+        // The other verdicts remain valid, whatever is wrong with the book.
         Err(error) => {
             console::error(&format!("{error:#}"));
             (false, "not built".into())

@@ -1,4 +1,4 @@
-//! Our formulas, measured: `report` has this built with optimisation.
+//! Measures the formulas of this project: `report` builds this program with optimisation.
 
 use jointproof::catalog::{AnyFormula, CATALOG};
 use std::process::ExitCode;

@@ -1,11 +1,11 @@
-//! What is promised of an optimised build. `cargo test --release --package measured` shares what it builds with the program that
-//! `report` measures.
+//! Guarantees that concern optimised builds. `cargo test --release --package measured` shares its build with the
+//! program that `report` measures.
 
 use jointproof::catalog::CATALOG;
 use jointproof::contact::slide_line::{Interpolation, Nodes, PlacedLine, SlideLine};
 use std::path::Path;
 
-/// Golden values do not depend on how they are compiled.
+/// Golden values do not depend on the optimisation level.
 #[test]
 #[cfg_attr(debug_assertions, ignore = "without optimisation `golden` of the library's tests does it")]
 fn golden_files_have_the_same_bytes() {
@@ -17,7 +17,7 @@ fn golden_files_have_the_same_bytes() {
     }
 }
 
-/// Fewer pieces than there are slave points, and as many as a model may have.
+/// Fewer segments than there are slave points, and as many as a model may have.
 const FINENESS: [u32; 2] = [100, 1_000_000];
 const LINES: [(Interpolation, bool); 4] = [
     (Interpolation::Linear, false),
@@ -37,13 +37,13 @@ fn arc(kind: Interpolation, segments: u32, smoothed: bool) -> PlacedLine {
     line.place(&Nodes::new((0..count).map(node)).unwrap()).unwrap()
 }
 
-/// At a share of the arc, so far from its centre.
+/// The point at a fraction of the arc, at this distance from its centre.
 fn around(share: f64, radius: f64) -> [f64; 2] {
     let (sine, cosine) = (2.5 * share).sin_cos();
     [2.0 - radius * cosine, radius * sine]
 }
 
-/// Segments that are much shorter than the slave point is far, up to half the radius of curvature.
+/// Segments are much shorter than the distance of the slave point, which is up to half the radius of curvature.
 #[test]
 #[cfg_attr(debug_assertions, ignore = "a million segments take minutes without optimisation")]
 fn a_finer_line_costs_few_more_evaluations() {

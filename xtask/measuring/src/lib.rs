@@ -1,7 +1,7 @@
-//! What `report` asks to be measured, and what it is told.
+//! The requests of `report` for measurements, and the events returned.
 //!
-//! Times must be those of an optimised program, whereas the commands are built for quick turnaround. So the measuring is done
-//! by a program of its own, whose `main` is [`main`]: it reads a [`Request`] and writes an [`Event`] a line.
+//! Times must be those of an optimised program, whereas the commands are built for quick turnaround. So measurements
+//! are made by a separate program, whose `main` is [`main`]: it reads a [`Request`] and writes one [`Event`] per line.
 
 mod program;
 
@@ -10,23 +10,23 @@ pub use program::main;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// What is to be measured.
+/// A request for measurements.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Request {
     /// Identifiers of formulas.
     pub formulas: Vec<String>,
-    /// How much.
+    /// The extent of the measurements.
     pub options: Options,
 }
 
-/// What happens while measuring.
+/// An event during measurement.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Event {
-    /// The measuring has begun.
+    /// Measurement has started.
     Begun(Build),
     /// The errors of this formula are known.
     Compared(String),
-    /// This formula was timed for the first time.
+    /// This formula was timed in the first half of the rounds.
     Timed(String),
     /// This formula is done.
     Measured(Box<Measurement>),
@@ -47,7 +47,7 @@ pub struct Build {
 }
 
 impl Build {
-    /// Of the program that runs.
+    /// The build of the running program.
     pub fn this() -> Self {
         const FLAGS: &str = env!("BUILT_WITH");
         Self {

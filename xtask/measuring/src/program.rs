@@ -1,4 +1,4 @@
-//! The program that is measured: it is asked by a [`Request`], and tells an [`Event`] a line.
+//! The program that measures: it reads a [`Request`] and writes one [`Event`] per line.
 
 use super::{Build, Event, Request};
 use jointproof::catalog::AnyFormula;
@@ -10,7 +10,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc;
 use std::thread;
 
-/// Every formula that can be asked for.
+/// All formulas that can be requested.
 type Catalog<'a> = &'a [&'static dyn AnyFormula];
 
 /// `<dyn AnyFormula>::errors`
@@ -19,15 +19,15 @@ type Errors = fn(&(dyn AnyFormula + 'static), &Options) -> Measurement;
 /// `<dyn AnyFormula>::times`
 type Times = fn(&(dyn AnyFormula + 'static), &Options, &mut Measurement);
 
-/// Reads a request from standard input and writes what happens to standard output.
+/// Reads a request from standard input and writes events to standard output.
 ///
-/// Formulas can be measured where the feature `measure-by-id` of `jointproof` is on, which takes long to compile. The program
-/// turns it on and hands both functions in, so that the commands, which speak to it, compile without.
+/// Formulas can be measured if the feature `measure-by-id` of `jointproof` is enabled, which takes long to compile. The program
+/// enables it and passes both functions in, so that the commands that communicate with it compile without it.
 pub fn main(catalog: &[&'static dyn AnyFormula], errors: Errors, times: Times) -> ExitCode {
     match answer(catalog, (errors, times), stdin().lock(), stdout().lock()) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            // A standard error that is closed is not worth failing for twice.
+            // If standard error is closed, there is no point in failing again.
             let _ = writeln!(std::io::stderr(), "error: {error}");
             ExitCode::FAILURE
         }
@@ -49,9 +49,9 @@ fn answer(
     })
 }
 
-/// Measures: errors on all cores, then times, one formula after the other on a machine that does nothing else, and all of
-/// them once more: what disturbs the machine for some seconds falls on one half of the rounds only, and is seen in the spread.
-/// What `tell` fails with ends it.
+/// Measures errors on all cores, then times, one formula after the other on an otherwise idle machine, and then all of
+/// them again: a disturbance of some seconds affects only one half of the rounds, and shows in the spread. An error of
+/// `tell` ends the measurement.
 fn measure<E>(
     catalog: Catalog<'_>,
     (errors, times): (Errors, Times),
@@ -76,7 +76,7 @@ fn measure<E>(
     Ok(())
 }
 
-/// The errors of every formula, with its number.
+/// The errors of every formula, with its index.
 fn compare<E>(
     formulas: Catalog<'_>,
     errors: Errors,
@@ -108,7 +108,7 @@ fn compare<E>(
     })
 }
 
-/// The rounds that are done first, and as many once more.
+/// The options for half of the rounds.
 fn half(options: &Options) -> Options {
     Options { rounds: options.rounds.div_ceil(2), ..*options }
 }
@@ -130,7 +130,7 @@ mod tests {
         assert_eq!(rounds, [1, 3, 31]);
     }
 
-    /// As little as can be.
+    /// The smallest measurement possible.
     const LEAST: Options = Options {
         random_points: 3,
         timing_points: 2,
@@ -141,7 +141,7 @@ mod tests {
         ..Options::quick()
     };
 
-    /// There are more than threads.
+    /// There are more formulas than threads.
     #[test]
     fn the_errors_of_every_formula_are_found() {
         let count = thread::available_parallelism().map_or(1, usize::from) + 2;
@@ -180,7 +180,7 @@ mod tests {
         answer(CATALOG, BY, serde_json::to_string(&request).unwrap().as_bytes(), &mut out).unwrap();
         let events = String::from_utf8(out).unwrap();
         let mut events: Vec<Event> = events.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
-        // Errors are found on all cores, and told as they come.
+        // Errors are measured on all cores, and reported as they arrive.
         events[1..3].sort_by_key(|event| format!("{event:?}"));
         let [begun, events @ ..] = events.as_slice() else { panic!("nothing is told") };
         assert_eq!(*begun, Event::Begun(Build::this()));
@@ -191,7 +191,7 @@ mod tests {
                 Event::Compared(id) => ("compared", id.as_str()),
                 Event::Timed(id) => ("timed", id.as_str()),
                 Event::Measured(measurement) => {
-                    // A round and another one, of which no two have the same times everywhere.
+                    // In two rounds, not all times are the same.
                     let mut times = measurement.ways.iter().filter_map(|way| way.jacobian.as_ref()?.time);
                     assert!(times.any(|time| time.low < time.high), "{measurement:?}");
                     ("measured", measurement.formula.as_str())

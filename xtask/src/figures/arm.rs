@@ -1,4 +1,4 @@
-//! The models of a cross arm over its slenderness.
+//! The models of a cross arm as functions of its slenderness.
 
 use super::chart::{Axis, Chart, Curve};
 use crate::studies::arm_models::{Models, curves};
@@ -35,7 +35,7 @@ pub(crate) fn twist() -> Chart<'static> {
         },
         curves: vec![
             curve("used", 20, |at| at.used.alpha_twist),
-            // The wide space keeps the name off the steep curve.
+            // The em space keeps the name away from the steep curve.
             curve("\u{2003}Timoshenko", 50, |at| at.timoshenko.alpha_twist),
             curve("Euler–Bernoulli", 4, |at| at.euler_bernoulli.alpha_twist),
             curve("rigid", 130, |at| at.rigid.alpha_twist),
@@ -62,7 +62,7 @@ pub(crate) fn axial() -> Chart<'static> {
     }
 }
 
-/// How far α_twist of every other model is from the one used.
+/// The distance of α_twist in every other model from the one used.
 pub(crate) fn apart() -> Chart<'static> {
     let apart = |other: f64, used: f64| (other - used).abs();
     Chart {

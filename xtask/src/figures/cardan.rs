@@ -6,10 +6,10 @@ use crate::studies::near_right_angle::errors_near_right_angle;
 /// Distances from 90°, in radians.
 const DISTANCES: [f64; 15] = [1e-1, 3e-2, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5, 3e-6, 1e-6, 3e-7, 1e-7, 3e-8, 1e-8];
 
-/// Half an ulp: an error below it is one pose's luck, and is drawn here.
+/// Half an ulp: an error below it is due to a lucky pose, and is drawn at this value.
 const FLOOR: f64 = f64::EPSILON / 2.0;
 
-/// Both errors over the distance, on logarithmic axes.
+/// Both errors as functions of the distance, on logarithmic axes.
 pub(crate) fn beta_near_90() -> Chart<'static> {
     let table = errors_near_right_angle(&DISTANCES);
     let arc_sine = table.iter().map(|row| (row.distance, row.arc_sine.max(FLOOR))).collect();

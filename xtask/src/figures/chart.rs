@@ -1,11 +1,11 @@
-//! A line chart as SVG that takes the theme's colours: the colour of the text for axes and the first curve, the accent
-//! for the second, and dashes so that no curve is told by colour alone.
+//! A line chart as SVG in the colours of the theme: the text colour for axes and the first curve, the accent colour
+//! for the second, and dashes so that curves are not distinguished by colour alone.
 
 use std::fmt::Write;
 
 /// An axis, linear or logarithmic.
 pub(crate) struct Axis<'a> {
-    /// What it shows, with unit.
+    /// The quantity shown, with its unit.
     pub(crate) label: &'a str,
     /// The value at the left or the bottom.
     pub(crate) from: f64,
@@ -17,23 +17,23 @@ pub(crate) struct Axis<'a> {
     pub(crate) ticks: Vec<f64>,
 }
 
-/// A curve with its name, written at its end.
+/// A curve with its name, written at one of its points.
 pub(crate) struct Curve<'a> {
-    /// The name, written beside the point numbered `label_at`.
+    /// The name, written next to the point with index `label_at`.
     pub(crate) name: &'a str,
-    /// Which point carries the name.
+    /// The index of the point that carries the name.
     pub(crate) label_at: usize,
-    /// The points; one that is not finite is left out and breaks the line.
+    /// The points; one that is not finite is omitted and breaks the line.
     pub(crate) points: Vec<(f64, f64)>,
 }
 
 /// The chart.
 pub(crate) struct Chart<'a> {
-    /// The name of the figure, part of the identifiers in the drawing.
+    /// The name of the figure, used in the identifiers within the drawing.
     pub(crate) name: &'a str,
-    /// What it shows, in a few words.
+    /// A short title.
     pub(crate) title: &'a str,
-    /// What there is to see, for readers who cannot.
+    /// A description of the picture for readers who cannot see it.
     pub(crate) description: &'a str,
     /// Horizontal axis.
     pub(crate) x: Axis<'a>,
@@ -57,7 +57,7 @@ const STYLES: [(&str, &str); 4] = [
 ];
 
 impl Axis<'_> {
-    /// Where a value lies between the ends, from 0 to 1.
+    /// The position of a value between the ends, from 0 to 1.
     fn share(&self, value: f64) -> f64 {
         let scale = |x: f64| if self.logarithmic { x.log10() } else { x };
         (scale(value) - scale(self.from)) / (scale(self.to) - scale(self.from))
@@ -138,7 +138,7 @@ impl Chart<'_> {
         let _ = writeln!(svg, r#"  <path d="{path}" stroke="{colour}" stroke-width="2" stroke-dasharray="{dashes}"/>"#);
         if let Some(&point) = curve.points.get(curve.label_at) {
             let (x, y) = self.place(point);
-            // To the right of the point, and below a curve that rises there, so that it does not run through its name.
+            // To the right of the point, and below if the curve rises there, so that the curve does not cross its name.
             let next = curve.points.get(curve.label_at + 1).map_or(y, |&next| self.place(next).1);
             let beside = if next < y - 3.0 { 16.0 } else { -8.0 };
             let _ = writeln!(svg, r#"  <text x="{x:.1}" y="{:.1}" fill="{colour}">{}</text>"#, y + beside, curve.name);

@@ -1,4 +1,4 @@
-//! The examples that solve by Newton's method, with all of the tangent and without a part of it.
+//! The examples that use Newton's method, with the full tangent and with a part of it omitted.
 
 use super::chart::{Axis, Chart, Curve};
 #[path = "../../../tests/examples/two_rods.rs"]
@@ -17,7 +17,7 @@ mod double_cardan;
 #[expect(dead_code, reason = "the example has a main function")]
 mod thread;
 
-/// Two rods in UJOINTs: how far each step goes, with the geometric stiffness and without.
+/// Two rods in UJOINTs: the size of each step, with and without the geometric stiffness.
 pub(super) fn steps_of_two_rods() -> Chart<'static> {
     let counted = |with_stiffness: bool| {
         let numbered = (1..).map(f64::from).zip(two_rods::steps(with_stiffness));
@@ -42,7 +42,7 @@ pub(super) fn steps_of_two_rods() -> Chart<'static> {
     }
 }
 
-/// A slider-crank: the steps of each increment, with the consistent tangent of the friction and without.
+/// A slider-crank: the steps of each increment, with and without the consistent friction tangent.
 pub(super) fn steps_of_a_slider_crank() -> Chart<'static> {
     let counted = |consistent: bool| {
         let counts = slider_crank::steps(consistent).into_iter().map(f64::from);
@@ -74,7 +74,7 @@ pub(super) fn steps_of_a_slider_crank() -> Chart<'static> {
     }
 }
 
-/// A double cardan shaft: by how much the driven shaft leads, with the yokes of the intermediate shaft in phase and crossed.
+/// A double Cardan shaft: the lead of the driven shaft, with the yokes of the intermediate shaft in phase and crossed.
 pub(super) fn lead_of_a_double_cardan() -> Chart<'static> {
     use double_cardan::{Position, Yokes, revolution};
     let lead = |Position { input, output, .. }: Position| (input.to_degrees(), (output - input).to_degrees());
@@ -108,7 +108,7 @@ pub(super) fn lead_of_a_double_cardan() -> Chart<'static> {
     }
 }
 
-/// A thread under load: what part of it every turn carries.
+/// A thread under load: the share carried by every turn.
 pub(super) fn shares_of_the_turns() -> Chart<'static> {
     let increments = thread::loaded();
     let curve = |name, increment: usize, label_at| {

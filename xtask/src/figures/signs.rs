@@ -1,4 +1,4 @@
-//! The sign convention of forces: what a slot exerts on its two nodes, as the formulas give it.
+//! The sign convention of forces: the forces of a slot on its two nodes, computed by the formulas.
 
 use jointproof::connector::slot::{ConstraintForce, CrossFrame, KineticForce, SlotForce};
 use jointproof::formula::Formula;
@@ -7,25 +7,25 @@ use std::fmt::Write;
 
 pub(super) const NAME: &str = "signs";
 
-/// Where the nodes are on paper, y downwards, and what b may do.
+/// The positions of the nodes in the drawing, with y downwards.
 const A: Vector2<f64> = Vector2::new(120.0, 196.0);
 const B: Vector2<f64> = Vector2::new(360.0, 116.0);
 
-/// Half the sides of a body.
+/// Half the side lengths of a body.
 const BODY: Vector2<f64> = Vector2::new(36.0, 24.0);
-/// Points on paper a unit of length, and a unit of force.
+/// SVG units per unit of length, and per unit of force.
 const UNIT: f64 = 64.0;
 const PER_FORCE: f64 = 26.0;
 /// The forces that are drawn.
 const F1: f64 = 3.0;
 const F2: f64 = 2.5;
 
-/// The part of a vector in the plane of e1a and e2a, on paper: e1a to the right, e2a up.
+/// The projection of a vector on the plane of e1a and e2a, in the drawing: e1a to the right, e2a up.
 fn on_paper(v: &Vector3<f64>) -> Vector2<f64> {
     Vector2::new(v.x, -v.y)
 }
 
-/// Kinetic and constraint force of the formulas.
+/// The kinetic force and the constraint force, by the formulas.
 fn forces() -> [Vector2<f64>; 2] {
     let [e1a, e2a, e3a] = [Vector3::x(), Vector3::y(), Vector3::z()];
     let kinetic = KineticForce::eval(&SlotForce { e1a, f1: F1 }).f;
@@ -33,7 +33,7 @@ fn forces() -> [Vector2<f64>; 2] {
     [kinetic, constraint].map(|force| on_paper(&force) * PER_FORCE)
 }
 
-/// An arrow from a point, of the text's colour or the accent's.
+/// An arrow from a point, in the text colour or the accent colour.
 fn arrow(svg: &mut String, from: Vector2<f64>, by: Vector2<f64>, accent: bool) {
     let to = from + by;
     let (colour, tip) = if accent { ("var(--accent, #0b57b0)", "accent") } else { ("currentColor", "tip") };
@@ -44,7 +44,7 @@ fn arrow(svg: &mut String, from: Vector2<f64>, by: Vector2<f64>, accent: bool) {
     );
 }
 
-/// A word beside a point, with parts in index.
+/// A label next to a point, in parts that may be subscripts.
 fn label(svg: &mut String, at: Vector2<f64>, accent: bool, parts: &[(&str, &str)]) {
     let colour = if accent { "var(--accent, #0b57b0)" } else { "currentColor" };
     let _ = write!(svg, r#"  <text x="{}" y="{}" fill="{colour}">"#, at.x, at.y);
@@ -76,7 +76,7 @@ fn body(svg: &mut String, at: Vector2<f64>, name: &str, label_at: Vector2<f64>) 
     );
 }
 
-/// Bodies a and b, the triad of a, the motion u1, and what the connector exerts on both.
+/// Bodies a and b, the triad of a, the motion u1, and the forces of the connector on both.
 pub(super) fn svg() -> String {
     let mut svg = format!(
         r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 560 300" role="img" aria-labelledby="{NAME}-title {NAME}-desc" fill="none" stroke-linecap="round" stroke-linejoin="round" font-size="16">
@@ -95,7 +95,7 @@ pub(super) fn svg() -> String {
     );
     body(&mut svg, A, "a", A + Vector2::new(-30.0, -34.0));
     body(&mut svg, B, "b", B + Vector2::new(-26.0, 44.0));
-    // The triad stands beside the forces on a.
+    // The triad is drawn next to the forces on a.
     let origin = Vector2::new(28.0, 272.0);
     for (axis, index, beside) in
         [(Vector3::x(), "1a", Vector2::new(6.0, 5.0)), (Vector3::y(), "2a", Vector2::new(8.0, 4.0))]

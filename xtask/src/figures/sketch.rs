@@ -1,5 +1,5 @@
-//! A drawing in space: points are projected on paper, and every part is a line of SVG, so that two positions of one mechanism
-//! differ in few lines.
+//! A drawing of objects in space: points are projected, and every part is one line of SVG, so that two positions of a
+//! mechanism differ in few lines.
 
 use std::fmt::Write;
 
@@ -7,18 +7,18 @@ use nalgebra::{Vector2, Vector3};
 
 pub(super) type Point = Vector3<f64>;
 
-/// How a stroke is drawn.
+/// The style of a stroke.
 #[derive(Clone, Copy)]
 pub(super) enum Ink {
-    /// What is there.
+    /// A part.
     Solid,
-    /// What is thin: dimensions, the outline of bodies.
+    /// Thin lines: dimensions, outlines of bodies.
     Thin,
-    /// A construction, dashed.
+    /// A construction line, dashed.
     Dashed,
     /// An axis, with long and short dashes.
     Axis,
-    /// What is asked about, in the accent's colour.
+    /// The part in focus, in the accent colour.
     Accent,
     /// A force or moment, in the warm colour.
     Force,
@@ -52,7 +52,7 @@ impl Ink {
     }
 }
 
-/// Where a drawing is seen from: the axes on paper, and where the origin is.
+/// The projection of a drawing: the images of the axes, and of the origin.
 pub(super) struct View {
     axes: [Vector2<f64>; 3],
     origin: Vector2<f64>,
@@ -63,33 +63,33 @@ impl View {
         Self { axes: axes.map(|axis| Vector2::from(axis) * unit), origin: origin.into() }
     }
 
-    /// From the front, from the right and from above: the first axis to the right, the second up, the third forward.
+    /// From the front right and above: the first axis to the right, the second up, the third towards the viewer.
     pub(super) fn space(unit: f64, origin: [f64; 2]) -> Self {
         Self::new([[0.98, -0.2], [0.0, -1.0], [-0.52, 0.42]], unit, origin)
     }
 
-    /// With the second axis to the right, for shafts that lie.
+    /// With the second axis to the right, for horizontal shafts.
     pub(super) fn lying(unit: f64, origin: [f64; 2]) -> Self {
         Self::new([[-0.45, 0.5], [0.98, 0.12], [0.0, -1.0]], unit, origin)
     }
 
-    /// On the plane of the first two axes.
+    /// The plane of the first two axes.
     pub(super) fn plane(unit: f64, origin: [f64; 2]) -> Self {
         Self::new([[1.0, 0.0], [0.0, -1.0], [0.0, 0.0]], unit, origin)
     }
 }
 
-/// Width and height on paper.
+/// Width and height of the drawing.
 const SIZE: [f64; 2] = [560.0, 300.0];
 
-/// The picture under way.
+/// A drawing in progress.
 pub(super) struct Sketch {
     name: &'static str,
     title: &'static str,
     description: &'static str,
     view: View,
     lines: Vec<String>,
-    /// What is written below.
+    /// The notes below.
     notes: Vec<String>,
 }
 
@@ -103,7 +103,7 @@ impl Sketch {
         origin + axes[0] * p.x + axes[1] * p.y + axes[2] * p.z
     }
 
-    /// Straight pieces through points.
+    /// A polyline.
     pub(super) fn path(&mut self, points: &[Point], ink: Ink) {
         let mut d = String::new();
         for (k, point) in points.iter().enumerate() {
@@ -113,7 +113,7 @@ impl Sketch {
         self.lines.push(format!(r#"<path d="{d}" {}/>"#, ink.stroke()));
     }
 
-    /// A band along points, as wide as this on paper: a groove, a tube.
+    /// A band along a line, with this width in the drawing: a groove, a tube.
     pub(super) fn band(&mut self, points: [Point; 2], width: f64) {
         let [from, to] = points.map(|point| self.place(point));
         self.lines.push(format!(
@@ -122,7 +122,7 @@ impl Sketch {
         ));
     }
 
-    /// An area within points.
+    /// The area of a polygon.
     pub(super) fn area(&mut self, points: &[Point], ink: Ink) {
         let all: Vec<_> = points
             .iter()
@@ -136,7 +136,7 @@ impl Sketch {
         ));
     }
 
-    /// An arrow; one that is too short to have a tip is left out, as an empty line.
+    /// An arrow; one too short for a tip becomes an empty line.
     pub(super) fn arrow(&mut self, from: Point, by: Point, ink: Ink) {
         let [start, end] = [from, from + by].map(|point| self.place(point));
         self.lines.push(if (end - start).norm() < 3.0 {
@@ -166,7 +166,7 @@ impl Sketch {
         ));
     }
 
-    /// A name beside a point: `e_1a` has an index, and a name that begins with `*` is bold.
+    /// A label next to a point: `e_1a` has a subscript, and a name that starts with `*` is bold.
     pub(super) fn label(&mut self, at: Point, beside: [f64; 2], name: &str, ink: Ink) {
         let at = self.place(at) + Vector2::from(beside);
         self.lines.push(format!(
@@ -178,7 +178,7 @@ impl Sketch {
         ));
     }
 
-    /// Three arrows with their names, of a node called `of`.
+    /// Three labelled arrows for the triad of a node called `of`.
     pub(super) fn triad(&mut self, at: Point, axes: [Point; 3], length: f64, of: &str, ink: Ink) {
         for (k, axis) in axes.iter().enumerate() {
             self.arrow(at, axis * length, ink);
@@ -188,12 +188,12 @@ impl Sketch {
         }
     }
 
-    /// A line of numbers below the drawing.
+    /// Adds a line of numbers below the drawing.
     pub(super) fn note(&mut self, text: impl Into<String>) {
         self.notes.push(text.into());
     }
 
-    /// The SVG element, a line a part, and a paragraph for each note, which is as large as the page's text on any screen.
+    /// The SVG element, one line per part, and a paragraph for each note, in the text size of the page on any screen.
     pub(super) fn html(self) -> String {
         let [width, height] = SIZE;
         let Self { name, title, description, lines, notes, .. } = self;
@@ -215,7 +215,7 @@ impl Sketch {
     }
 }
 
-/// To a tenth of a point, without a negative zero.
+/// Rounds to a tenth, without a negative zero.
 fn tenth(x: f64) -> f64 {
     (x * 10.0).round() / 10.0 + 0.0
 }
@@ -225,7 +225,7 @@ pub(super) fn number(x: f64) -> String {
     format!("{:.2}", (x * 100.0).round() / 100.0 + 0.0).replace('-', "−")
 }
 
-/// A name with its index, if it has one, and what follows the index.
+/// A name with its subscript, if it has one, and the text that follows it.
 struct Name<'a> {
     is_bold: bool,
     letters: &'a str,
@@ -233,7 +233,7 @@ struct Name<'a> {
     after: &'a str,
 }
 
-/// Words in which `e_1a` has an index and `*e` is bold; indices end at a space or at what follows a name in a sentence.
+/// Formats words: `e_1a` has a subscript and `*e` is bold; subscripts end at a space or at punctuation.
 fn set(text: &str, written: fn(&Name<'_>) -> String) -> String {
     let words = text.split(' ').map(|word| {
         let (is_bold, word) = word.strip_prefix('*').map_or((false, word), |rest| (true, rest));

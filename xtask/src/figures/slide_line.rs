@@ -1,4 +1,4 @@
-//! A slide line with smoothed corners and projections on it, and the laws of pressure and damping.
+//! A slide line with smoothed corners and projections onto it, and the laws of pressure and damping.
 
 use super::chart::{Axis, Chart, Curve};
 use jointproof::contact::interaction::{
@@ -21,14 +21,14 @@ const STEPS: u32 = 16;
 /// Lifts the pen.
 const GAP: (f64, f64) = (f64::NAN, f64::NAN);
 
-/// A part of the line.
+/// A piece of the line.
 enum Piece {
     Straight([Point; 2]),
     Corner([Point; 3]),
 }
 
 impl Piece {
-    /// Its point at a part from 0 to 1 of it.
+    /// The point at a parameter from 0 to 1.
     fn at(&self, part: f64) -> Point {
         match *self {
             Self::Straight([x1, x2]) => LinearPoint::eval(&LinearPlace { x1, x2, g: 2.0 * part - 1.0 }).x,
@@ -38,7 +38,7 @@ impl Piece {
         }
     }
 
-    /// Its point that is closest to the slave point.
+    /// The point closest to the slave point.
     fn foot(&self, xs: Point) -> Option<Point> {
         let part = match *self {
             Self::Straight([x1, x2]) => f64::midpoint(value::<ClosestLinear>(&LinearSlave { xs, x1, x2 }).ok()?.g, 1.0),
@@ -50,7 +50,7 @@ impl Piece {
     }
 }
 
-/// The parts of the line in sequence: what the corners leave of each segment, and the corners.
+/// The pieces of the line in sequence: the remaining part of each segment, and the corners.
 fn pieces(nodes: &[Point]) -> Vec<Piece> {
     let towards = |from: Point, to: Point| from + (to - from) * FRACTION;
     let last = nodes.len().saturating_sub(2);
@@ -69,7 +69,7 @@ fn closest(pieces: &[Piece], xs: Point) -> Option<Point> {
     pieces.iter().filter_map(|piece| piece.foot(xs)).reduce(nearer)
 }
 
-/// The line, what smoothing cuts off, and slave points with their closest points.
+/// The line, the corners removed by smoothing, and slave points with their closest points.
 pub(crate) fn line() -> Chart<'static> {
     let drawn = |x: Point| (x.x, x.y);
     let pieces = pieces(&NODES.map(Point::from));
@@ -91,7 +91,7 @@ pub(crate) fn line() -> Chart<'static> {
         projections.extend(cross);
         projections.extend(closest(&pieces, xs).into_iter().flat_map(|foot| [drawn(xs), drawn(foot), GAP]));
     }
-    // The same scale on both axes: 476 by 270 points.
+    // The same scale on both axes: 476 by 270 units.
     let axis = |label, to: f64, ticks| Axis { label, from: 0.0, to, logarithmic: false, ticks };
     Chart {
         name: "slide-line",
@@ -110,7 +110,7 @@ pub(crate) fn line() -> Chart<'static> {
     }
 }
 
-/// `from`, …, `to` in steps.
+/// Evenly spaced numbers from `from` to `to`.
 fn steps(from: f64, to: f64) -> impl Iterator<Item = f64> {
     (0..=120_u32).map(move |k| from + (to - from) * f64::from(k) / 120.0)
 }
@@ -143,7 +143,7 @@ pub(crate) fn pressure_laws() -> Chart<'static> {
     }
 }
 
-/// The damping coefficient over the clearance.
+/// The damping coefficient as a function of the clearance.
 pub(crate) fn damping_coefficient() -> Chart<'static> {
     let coefficient = |clearance: f64| {
         let contact = DampingContact { h: -clearance, v: 1.0, mu0: 1.0, c0: 1.0, eta: 0.4 };

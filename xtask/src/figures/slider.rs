@@ -1,4 +1,4 @@
-//! SLIDER by both routes: errors where a line is hard, and the jump of t1 and t2.
+//! SLIDER by both routes: errors for difficult lines, and the jump of t1 and t2.
 
 use super::chart::{Axis, Chart, Curve};
 use crate::studies::routes::Setting;
@@ -6,14 +6,14 @@ use jointproof::connector::slider::{Nodes, Slider};
 use nalgebra::Vector3;
 use std::fmt::Write;
 
-/// Powers of ten, as decimal literals: they are the same doubles everywhere.
+/// Powers of ten, as decimal literals, so that they are the same doubles everywhere.
 const SMALL: [f64; 17] =
     [1e0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15, 1e-16];
 const LARGE: [f64; 13] = [1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12];
 
 const ORDINARY: Setting = Setting { tilt: 1.0, length: 1.0, share: 0.5, offset: 1.0 };
 
-/// The errors of the increments, a chart for each way in which a line is hard.
+/// The errors of the increments, with one chart for each kind of difficulty.
 pub(super) fn charts() -> Vec<Chart<'static>> {
     let down = |label, to| Axis { label, from: 1e0, to, logarithmic: true, ticks: vec![1e0, 1e-4, 1e-8, 1e-12] };
     let up = |label| Axis { label, from: 1e0, to: 1e12, logarithmic: true, ticks: vec![1e0, 1e3, 1e6, 1e9, 1e12] };
@@ -77,7 +77,7 @@ fn chart(
     setting: impl Fn(f64) -> Setting,
 ) -> Chart<'static> {
     let errors: Vec<_> = values.iter().map(|&value| (value, setting(value).increment_errors())).collect();
-    // Where both errors stay low, the name of the lower curve goes below it: to a point from which it rises.
+    // Where both errors stay low, the name of the lower curve goes below it, at a point from which it rises.
     let rises = |&k: &usize| to > 1.0 || errors[k + 1].1.direct > 1.2 * errors[k].1.direct;
     let direct_at = (values.len() * 2 / 3..values.len() - 3).find(rises).unwrap_or_default();
     Chart {
@@ -101,7 +101,7 @@ fn chart(
     }
 }
 
-/// The tables that the chapter shows, by name.
+/// The tables shown in the chapter, with their names.
 pub(super) fn outputs() -> Vec<(String, String)> {
     [("slider-errors", errors()), ("slider-jump", jump())].map(|(name, text)| (name.to_owned(), text)).into()
 }
@@ -134,7 +134,7 @@ fn errors() -> String {
     text
 }
 
-/// What turns and what stays where the line passes through the x axis.
+/// The vectors that jump and those that do not where the line passes through the x axis.
 fn jump() -> String {
     let zero = Vector3::zeros();
     let m = Vector3::new(0.5, 0.25, 0.0);
@@ -154,7 +154,7 @@ fn jump() -> String {
     text.replace('-', "−").replace("e−", "e-")
 }
 
-/// To 12 decimals, without a negative zero.
+/// Rounds to 12 decimals, without a negative zero.
 fn plain(x: f64) -> f64 {
     (x * 1e12).round() / 1e12 + 0.0
 }

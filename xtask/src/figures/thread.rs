@@ -8,11 +8,11 @@ use std::f64::consts::PI;
 
 /// Lengths in mm, forces in N. The load flank of the box runs from the radius 46 to 52, that of the pin from 47 to 51.
 const PITCH: f64 = 6.0;
-/// By how much each pitch of the pin is too long.
+/// The excess of the pin's pitch.
 const PITCH_ERROR: f64 = 0.001;
 /// Pressure per overclosure, N/mm³.
 const STIFFNESS: f64 = 2e5;
-/// The rise of a flank per radius: a flank of 4 mm across the radius is 5 mm long.
+/// The rise of a flank per unit of radius: a flank with a radial extent of 4 mm is 5 mm long.
 const SLOPE: f64 = 0.75;
 
 // ANCHOR: model
@@ -80,7 +80,7 @@ pub(crate) fn torque_of_a_thread() -> Chart<'static> {
     let kilo = 1e-6;
     let exact = (0..=60).map(|k| f64::from(k) * 0.1).map(|x| (x, closed_form(x * 1e-3) * kilo));
     let found = torques(6, 0.001).unwrap_or_default().into_iter().map(|(x, t)| (x * 1e3, t * kilo));
-    // The curves are one on the other, so their names stand beside them: at a point of its own, past a lifted pen.
+    // The curves coincide, so their names are written elsewhere: each at a separate point after a gap.
     let named = |points: Vec<(f64, f64)>, name, place| {
         let points = [points, vec![(f64::NAN, f64::NAN), place]].concat();
         Curve { name, label_at: points.len() - 1, points }
@@ -112,15 +112,15 @@ pub(crate) fn torque_of_a_thread() -> Chart<'static> {
     }
 }
 
-/// How many elements the tilted flank is divided into.
+/// The numbers of elements for the tilted flank.
 const DIVISIONS: [u32; 10] = [1, 2, 4, 8, 16, 32, 64, 128, 256, 512];
 
-/// The overclosure of a tilted flank at a share of the way along it, open beyond the share `closed`.
+/// The overclosure of a tilted flank at a fraction of its length, open beyond the fraction `closed`.
 fn tilted(share: f64, closed: f64) -> f64 {
     0.004 * (closed - share)
 }
 
-/// The torque of a tilted flank in so many elements, over the closed form, minus 1.
+/// The torque of a tilted flank divided into `elements` elements, relative to the closed form, minus 1.
 ///
 /// With h linear along the flank and r = 47 + 4 s, the closed form is 2π k ℓ ∫ r² h ds over the closed part.
 fn error_of_a_tilted_flank(elements: u32, closed: f64) -> Result<f64, Error> {
@@ -138,13 +138,13 @@ fn error_of_a_tilted_flank(elements: u32, closed: f64) -> Result<f64, Error> {
     let [r0, r1, r2] = [47.0 * 47.0, 8.0 * 47.0, 16.0];
     let antiderivative =
         |s: f64| closed * s * (r0 + s * (r1 / 2.0 + s * r2 / 3.0)) - s * s * (r0 / 2.0 + s * (r1 / 3.0 + s * r2 / 4.0));
-    // The element is inclined by its overclosure, so a little longer than 4.
+    // The element is inclined by its overclosure, and therefore slightly longer than 4.
     let length = 4.0_f64.hypot(0.004);
     let exact = 2.0 * PI * STIFFNESS * 0.004 * length * antiderivative(c);
     Ok((found / exact - 1.0).abs())
 }
 
-/// The error of a tilted flank, closed all along and in part.
+/// The error for a tilted flank, closed completely and in part.
 pub(crate) fn tilted_flank() -> Chart<'static> {
     let errors = |closed: f64| {
         let error = |n: u32| error_of_a_tilted_flank(n, closed).unwrap_or(f64::NAN).max(f64::EPSILON / 2.0);
@@ -184,7 +184,7 @@ mod tests {
     #[test]
     fn the_elements_give_the_closed_form() {
         for (makeup, torque) in torques(60, 1e-4).unwrap() {
-            // The overclosure is the difference of coordinates of 30 mm: their rounding is what is left.
+            // The overclosure is a difference of coordinates of 30 mm, whose rounding determines the error.
             let blur = 30.0 * f64::EPSILON / makeup;
             let error = (torque / closed_form(makeup) - 1.0).abs();
             assert!(error < blur, "{error} at {makeup}");

@@ -1,4 +1,5 @@
-//! Errors that were shipped, made again in formulas of ours, and what the audit of that formula alone says of each.
+//! Errors from published software, re-enacted in this project's formulas, and what the audit of the formula alone
+//! reports for each.
 
 mod piece;
 mod pieces;
@@ -14,10 +15,10 @@ fn failed(audit: &Audit) -> impl Iterator<Item = &Claim> {
     audit.claims().filter(|claim| claim.failures > 0)
 }
 
-/// The chapter: every error, and what the audit says of it.
+/// The chapter: every error, with the audit's report.
 ///
 /// # Errors
-/// An error that is not caught, or a formula that is off without it.
+/// An error that is not caught, or a formula that fails without it.
 pub(crate) fn chapter() -> anyhow::Result<String> {
     let mut text = String::new();
     for (k, piece) in pieces::all().iter().enumerate() {

@@ -1,20 +1,20 @@
-//! What is said of an error.
+//! The description of an error.
 
 use jointproof::toolkit::verify::Audit;
 
-/// An error, re-enacted.
+/// A re-enacted error.
 pub(crate) struct Piece {
-    /// Where it was told of, in public.
+    /// The public thread that reported it.
     pub(crate) thread: &'static str,
-    /// What was wrong there.
+    /// What was wrong in the original.
     pub(crate) there: &'static str,
-    /// What is wrong here.
+    /// What is wrong in the re-enactment.
     pub(crate) here: &'static str,
-    /// The formula in which it is made again.
+    /// The formula in which it is re-enacted.
     pub(crate) formula: &'static str,
-    /// A part of the claim that catches it.
+    /// A part of the claim that detects it.
     pub(crate) claim: &'static str,
-    /// The audit with the error in it.
+    /// The audit with the error.
     pub(crate) audit: fn() -> Audit,
     /// The audit of the same formula in the same wrapping, without the error.
     pub(crate) control: fn() -> Audit,

@@ -1,4 +1,4 @@
-//! The errors. Rows of a Jacobian are the outputs, columns the inputs, components in the order of the entry.
+//! The errors. Rows of a Jacobian are the outputs, columns the inputs, with components in the order of the entry.
 
 use super::piece::Piece;
 use super::shipped::{Inputs, Mistake, Right, Rows, Shipped, changed, rows};

@@ -1,18 +1,18 @@
-//! A formula of ours with an error in it.
+//! A formula of this project with an error in it.
 
 use jointproof::Error;
 use jointproof::formula::proof::{Case, Kink, Proved};
 use jointproof::formula::{Component, Fields, Finite, Formula, Jacobian, Spec, ValueAndJacobian};
 use jointproof::number::scalar::Scalar;
 
-/// Inputs of the formula in which an error is made again.
+/// The inputs of the formula in which an error is re-enacted.
 pub(super) type Inputs<M, D> = <<M as Mistake>::Of as Formula>::Inputs<D>;
 /// Its outputs.
 pub(super) type Outputs<M, D> = <<M as Mistake>::Of as Formula>::Outputs<D>;
 /// Its Jacobian, row by row.
 pub(super) type Rows<D> = Vec<Vec<D>>;
 
-/// What is done otherwise than in the formula; what is not said here is as there.
+/// The deviations from the formula; methods not overridden are those of the formula.
 pub(super) trait Mistake: Copy + Send + Sync + 'static {
     /// The formula.
     type Of: Proved;
@@ -61,7 +61,7 @@ impl<F: Proved> Mistake for Right<F> {
 pub(super) struct Shipped<M>(M);
 
 impl<M: Mistake> Formula for Shipped<M> {
-    // Where ours is automatic, what was shipped was written by hand.
+    // If our Jacobian is automatic, the published one was written by hand.
     const SPEC: Spec = {
         let spec = M::Of::SPEC.finite(Finite::Unknown);
         if spec.is_closed() { spec } else { spec.eta(spec.eta.value, 8.0) }

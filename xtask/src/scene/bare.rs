@@ -1,8 +1,8 @@
-//! The generated scene without scenes: the loop that one would write by hand for these connectors and nothing else.
+//! The generated scene without scene files: the loop one would write by hand for these connectors only.
 //!
-//! It does what the scene does: every state's displacements and loads are read from memory, the same formulas are
-//! evaluated for the same connectors on all cores, and the same results are left for every connector. What it knows
-//! beforehand the scene must find out: which formulas there are, that only second nodes move, that nothing turns, and
+//! It does the same work: every state's displacements and loads are read from memory, the same formulas are evaluated
+//! for the same connectors on all cores, and the same results are stored for every connector. But it knows in advance
+//! what the scene must find out: which formulas are needed, that only second nodes move, that nothing rotates, and
 //! that nothing is checked. The benchmark compares the results bit for bit.
 
 use super::generate::{self, CAR, Connector as Sort, K_STICK, LENGTH, RADIUS, RAIL, STATES};
@@ -22,23 +22,23 @@ use rayon::prelude::*;
 /// The vectors of a triad.
 type Axes = [Vector3<f64>; 3];
 
-/// What one sort of connector has beside what all have.
+/// The parts specific to one kind of connector.
 pub(crate) trait Joint: Copy + Default + Send + Sync {
-    /// What the generator calls it.
+    /// The kind, as in the generator.
     const SORT: Sort;
-    /// What loads it in a state.
+    /// The loads in a state.
     type Loads: Copy + Send + Sync;
-    /// The second node turned like this at first.
+    /// The connector with the initial triads of its nodes.
     fn new(rail: &Axes, car: &Axes) -> Self;
-    /// Its loads, of all that there are.
+    /// Selects its loads from all loads.
     fn loads(all: [f64; 5]) -> Self::Loads;
-    /// Turns, and gives the contact force.
+    /// Updates the rotations, and returns the contact force.
     fn contact_force(&mut self, rail: &Axes, car: &Axes, loads: &Self::Loads) -> f64;
-    /// By how much it has turned.
+    /// The rotations so far.
     fn turns(&self) -> &[f64];
 }
 
-/// A SLOT has nothing else.
+/// A SLOT has no additional data.
 #[derive(Clone, Copy, Default)]
 pub(crate) struct Slot;
 
@@ -60,7 +60,7 @@ impl Joint for Slot {
     }
 }
 
-/// A TRANSLATOR keeps its initial angles and its turns.
+/// A TRANSLATOR stores its initial angles and its rotations.
 #[derive(Clone, Copy, Default)]
 pub(crate) struct Translator {
     initial: [f64; 3],
@@ -99,7 +99,7 @@ pub(crate) struct Bare<J: Joint> {
     connectors: Vec<Connector<J>>,
     /// Initial positions, two for every connector.
     nodes: Vec<Vector3<f64>>,
-    /// What nodes stand like: the rails, and what slides.
+    /// The orientations of the nodes: of the rails, and of the sliding nodes.
     triads: [Axes; 2],
     /// Displacements of the second nodes, state by state.
     displacements: Vec<Vec<Vector3<f64>>>,
@@ -107,7 +107,7 @@ pub(crate) struct Bare<J: Joint> {
     loads: Vec<Vec<J::Loads>>,
 }
 
-/// What one connector keeps; its history begins with zeros.
+/// The data of one connector; its history starts with zeros.
 #[derive(Clone, Copy, Default)]
 pub(crate) struct Connector<J> {
     nodes: [u32; 2],
@@ -148,7 +148,7 @@ impl<J: Joint> Bare<J> {
         }
     }
 
-    /// Forgets the history.
+    /// Clears the history.
     pub(crate) fn restart(&mut self) {
         for connector in &mut self.connectors {
             let Connector { nodes, triads, mu, k_stick, initial, joint, .. } = *connector;
@@ -156,9 +156,9 @@ impl<J: Joint> Bare<J> {
         }
     }
 
-    /// Every state.
+    /// Evaluates every state.
     pub(crate) fn run(&mut self) {
-        // So many are worth a thread.
+        // The number of connectors worth a thread.
         const TASK: usize = 1024;
         let (nodes, triads) = (&self.nodes, &self.triads);
         for (displacements, loads) in self.displacements.iter().zip(&self.loads) {
@@ -173,7 +173,7 @@ impl<J: Joint> Bare<J> {
         }
     }
 
-    /// The results, in the order in which a scene gives them.
+    /// The results, in the order of a scene's results.
     pub(crate) fn results(&self) -> impl Iterator<Item = f64> {
         let before = |c: &Connector<J>| [c.u1, c.gy, c.gz];
         let after = |c: &Connector<J>| [c.csf, c.slip];
@@ -186,7 +186,7 @@ fn positions(&[e1a, e2a, e3a]: &Axes, xa: Vector3<f64>, xb: Vector3<f64>) -> Pos
 }
 
 impl<J: Joint> Connector<J> {
-    /// The next state.
+    /// Advances to the next state.
     #[inline]
     fn advance(&mut self, nodes: &[Vector3<f64>], triads: &[Axes; 2], displacement: &Vector3<f64>, loads: &J::Loads) {
         let ([a, b], [x0, y0, z0], k_stick) = (self.nodes, self.initial, self.k_stick);

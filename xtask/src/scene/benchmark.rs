@@ -1,4 +1,4 @@
-//! What an element of a scene costs per state, against a bare loop of the same formulas.
+//! The cost of a scene's element per state, compared with a bare loop over the same formulas.
 
 use super::bare::{Bare, Joint, Slot, Translator};
 use super::file_to_file;
@@ -24,7 +24,7 @@ pub(crate) fn run() -> anyhow::Result<()> {
     print(&report)
 }
 
-/// Measures one sort of connector.
+/// Measures one kind of connector.
 fn of<J: Joint>(report: &mut String) -> anyhow::Result<()> {
     let kind = J::SORT.kind();
     writeln!(
@@ -44,7 +44,7 @@ fn of<J: Joint>(report: &mut String) -> anyhow::Result<()> {
         let scene = Scene::parse(&text)?;
         let reading = per(start.elapsed().as_secs_f64() * 1e9, elements);
         drop(text);
-        // What a small scene takes is lost in what the process has reserved.
+        // The memory of a small scene is hidden in what the process has reserved already.
         let resident = resident().zip(before).filter(|_| elements > 100_000);
         let resident = resident.map(|(now, before)| per_count(now.saturating_sub(before), elements));
         let resident = resident.map_or_else(|| "–".into(), |bytes| format!("{bytes:.0}"));
@@ -60,14 +60,15 @@ fn of<J: Joint>(report: &mut String) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Nanoseconds per element and state, and the bytes of elements and nodes.
+/// Nanoseconds per element and state, and bytes per element and node.
 struct Measured {
     scene: f64,
     bare: f64,
     bytes: [usize; 2],
 }
 
-/// Both by turns, so that what slows the machine down slows both; the states only, because what comes before is reading.
+/// Both take turns, so that a slowdown of the machine affects both; only the states are timed, because everything
+/// before is reading.
 fn measure<J: Joint>(scene: &Scene, elements: usize, times: usize) -> anyhow::Result<Measured> {
     let plan = Plan::new(scene);
     let mut bare = Bare::<J>::new(elements);
@@ -94,7 +95,7 @@ fn measure<J: Joint>(scene: &Scene, elements: usize, times: usize) -> anyhow::Re
     Ok(Measured { scene: median(of_scene), bare: median(of_bare), bytes })
 }
 
-/// The results of the last state have the same bits.
+/// Checks that the results of the last state have the same bits.
 fn compare<J: Joint>(run: &Run<'_, f64>, bare: &Bare<J>) -> anyhow::Result<()> {
     let mut expected = bare.results();
     let mut same = true;
@@ -103,12 +104,12 @@ fn compare<J: Joint>(run: &Run<'_, f64>, bare: &Bare<J>) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Bytes of memory that this process has, where the system tells.
+/// The resident memory of this process in bytes, if the system reports it.
 fn resident() -> Option<usize> {
     memory("VmRSS:")
 }
 
-/// The most bytes of memory that this process has had, where the system tells.
+/// The peak memory of this process in bytes, if the system reports it.
 pub(super) fn peak() -> Option<usize> {
     memory("VmHWM:")
 }

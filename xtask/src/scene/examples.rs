@@ -8,7 +8,7 @@ use jointproof::scene::{Plan, PlanLine, Results, Scene, Series, schema};
 use kit::{Beside, Project, Table};
 use std::path::PathBuf;
 
-/// How the name of a golden result ends.
+/// The ending of the name of a golden result.
 const RESULT: &str = ".result.json";
 
 fn folder(project: &Project) -> PathBuf {
@@ -57,7 +57,7 @@ pub(crate) fn golden(project: &Project) -> anyhow::Result<Beside> {
     Ok(Beside { files: golden, orphans, counts })
 }
 
-/// What `cargo xtask scene` prints about the scenes, by the name that `{{#output name}}` gives: `results-of-telescope`.
+/// The output of `cargo xtask scene` for the scenes, with the name used in `{{#output name}}`: `results-of-telescope`.
 pub(crate) fn outputs(project: &Project) -> anyhow::Result<Vec<(String, String)>> {
     let mut outputs = Vec::new();
     for (name, scene) in scenes(project)? {
@@ -67,7 +67,7 @@ pub(crate) fn outputs(project: &Project) -> anyhow::Result<Vec<(String, String)>
     Ok(outputs)
 }
 
-/// The plans of the scenes, by the name that `{{#table name}}` gives: `plan-of-telescope`.
+/// The plans of the scenes, with the name used in `{{#table name}}`: `plan-of-telescope`.
 pub(crate) fn plans(project: &Project) -> anyhow::Result<Vec<(String, Vec<Table>)>> {
     let head = ["Formula", "Evaluated", "Needed for"].map(String::from);
     let plan = |(name, scene): &(String, Scene)| {
@@ -91,13 +91,13 @@ pub(crate) fn plans(project: &Project) -> anyhow::Result<Vec<(String, Vec<Table>
 struct Figure {
     scene: &'static str,
     output: &'static str,
-    /// What the axis says, with the unit.
+    /// The label of the axis, with the unit.
     label: &'static str,
-    /// One of that unit in the units of the scene.
+    /// The size of that unit in the units of the scene.
     unit: f64,
-    /// The elements that are shown.
+    /// The elements shown.
     of: &'static [&'static str],
-    /// What there is to see, for readers who cannot.
+    /// A description of the picture for readers who cannot see it.
     description: &'static str,
 }
 
@@ -158,7 +158,7 @@ const FIGURES: &[Figure] = &[
     },
 ];
 
-/// The figures, by the name that `{{#figure name}}` gives: `scene-telescope-CSF1`.
+/// The figures, with the name used in `{{#figure name}}`: `scene-telescope-CSF1`.
 pub(crate) fn figures(project: &Project) -> anyhow::Result<Vec<(String, String)>> {
     let mut drawn = Vec::new();
     for (name, scene) in scenes(project)? {

@@ -1,4 +1,4 @@
-//! What a scene costs from file to file: as JSON, and as columns.
+//! The cost of a scene from file to file: as JSON, and as columns.
 
 use super::generate::{Connector, Generated};
 use crate::console::say;
@@ -9,20 +9,20 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::Instant;
 
-/// The scene that is evaluated, and how often each way.
+/// The scene evaluated, and the number of runs for each format.
 const SCENE: Generated = Generated { of: Connector::Slot, connectors: 100_000, states: 10 };
 const TIMES: usize = 9;
 
-/// A way from a scene's file to that of its results.
+/// One format, from a scene's file to that of its results.
 struct Way {
     name: &'static str,
     scene: PathBuf,
     results: PathBuf,
-    /// What is read and written.
+    /// The bytes read and written.
     bytes: u64,
-    /// Of every run.
+    /// The time of every run.
     milliseconds: Vec<f64>,
-    /// The most memory that a run has had, where the system tells.
+    /// The peak memory of a run, if the system reports it.
     peak: Option<usize>,
 }
 
@@ -32,12 +32,12 @@ impl Way {
         Self { name, scene, results, bytes: 0, milliseconds: Vec::new(), peak: None }
     }
 
-    /// Evaluates the scene in a process of its own.
+    /// Evaluates the scene in a separate process.
     fn run(&mut self) -> anyhow::Result<()> {
         let mut command = Command::new(std::env::current_exe().context("cannot find this program")?);
         let peak = self.results.with_extension("peak");
         command.arg("scene").arg(&self.scene).arg("--out").arg(&self.results).arg("--peak").arg(&peak);
-        // Every run writes a new file: to free an old one takes time, too.
+        // Every run writes a new file, since overwriting an old one takes additional time.
         if self.results.exists() {
             std::fs::remove_file(&self.results).context("cannot remove the results of the run before")?;
         }
@@ -46,14 +46,14 @@ impl Way {
         self.milliseconds.push(start.elapsed().as_secs_f64() * 1e3);
         let said = String::from_utf8_lossy(&ran.stderr);
         ensure!(ran.status.success(), "{} cannot be evaluated: {said}", self.scene.display());
-        // Where the system does not tell, there is no file.
+        // If the system does not report it, there is no file.
         let peak = std::fs::read_to_string(peak).ok().and_then(|peak| peak.parse().ok());
         self.peak = self.peak.max(peak);
         Ok(())
     }
 }
 
-/// Measures both ways by turns, so that what slows the machine down slows both.
+/// Measures both formats in turn, so that a slowdown of the machine affects both.
 pub(crate) fn run(report: &mut String) -> anyhow::Result<()> {
     let folder = tempfile::tempdir().context("cannot make a folder")?;
     let folder = folder.path();
@@ -101,7 +101,7 @@ fn write_report(report: &mut String, ways: &[Way; 2]) -> std::fmt::Result {
     writeln!(report, "\nColumns take {median:.1} times less than JSON; turn by turn {least:.1} to {most:.1} times.")
 }
 
-/// Memory in megabytes, and how many times the bytes of the files.
+/// Memory in megabytes, and relative to the size of the files.
 fn over(peak: usize, bytes: u64) -> [String; 2] {
     let peak = megabytes(peak as u64);
     [format!("{peak:.1}"), format!("{:.2}", peak / megabytes(bytes))]
@@ -112,7 +112,7 @@ fn megabytes(bytes: u64) -> f64 {
     bytes as f64 / 1e6
 }
 
-/// The least, the median and the most.
+/// Minimum, median and maximum.
 fn spread(numbers: &[f64]) -> [f64; 3] {
     let mut sorted = numbers.to_vec();
     sorted.sort_by(f64::total_cmp);

@@ -1,11 +1,11 @@
-//! Scenes of any size, to measure with: sliding connectors side by side, each with friction and its own motion.
+//! Scenes of any size for measurements: sliding connectors side by side, each with friction and its own motion.
 
 use jointproof::scene::npz::Writer;
 use serde_json::json;
 use std::fmt::Write as _;
 use std::io::{BufWriter, Write};
 
-/// States of a generated scene, if nothing else is asked for.
+/// The default number of states of a generated scene.
 pub(crate) const STATES: usize = 5;
 
 /// The connector of a generated scene.
@@ -26,7 +26,7 @@ impl Connector {
         }
     }
 
-    /// What is wanted of it, in the order in which it comes.
+    /// Its requested outputs, in order.
     pub(crate) fn outputs(self) -> &'static [&'static str] {
         match self {
             Self::Slot => &["U1", "GY", "GZ", "CSF1", "CASU1"],
@@ -34,7 +34,7 @@ impl Connector {
         }
     }
 
-    /// The forces and moments that load it, of those in [`loads`].
+    /// The forces and moments that load it, selected from those in [`loads`].
     fn loads(self) -> &'static [&'static str] {
         match self {
             Self::Slot => &["f2", "f3"],
@@ -42,7 +42,7 @@ impl Connector {
         }
     }
 
-    /// Parameters beside those of every connector, and what stands before them.
+    /// Parameters in addition to those of every connector, with the separator before them.
     fn levers(self) -> String {
         match self {
             Self::Slot => String::new(),
@@ -54,17 +54,17 @@ impl Connector {
 /// Stick stiffness of every connector.
 pub(crate) const K_STICK: f64 = 1e5;
 
-/// How the rail of every connector stands.
+/// The orientation of the rail of every connector.
 pub(crate) const RAIL: [[f64; 3]; 3] = [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]];
 
-/// How what slides in a translator stands.
+/// The orientation of the sliding node of a translator.
 pub(crate) const CAR: [[f64; 3]; 3] = [[0.0, 0.8, 0.6], [0.0, -0.6, 0.8], [1.0, 0.0, 0.0]];
 
 /// The levers of a translator's moments.
 pub(crate) const RADIUS: f64 = 0.25;
 pub(crate) const LENGTH: f64 = 2.0;
 
-/// Where the nodes of a connector are initially: the rail, and what slides on it.
+/// The initial positions of the nodes of a connector: the rail, and the sliding node.
 #[expect(clippy::cast_precision_loss, reason = "counts far below 2^53")]
 pub(crate) fn nodes(connector: usize) -> [[f64; 3]; 2] {
     let (row, column) = ((connector / 1000) as f64, (connector % 1000) as f64);
@@ -77,20 +77,20 @@ pub(crate) fn mu(connector: usize) -> f64 {
     (1 + connector % 9) as f64 / 10.0
 }
 
-/// By how much what slides is displaced in a state.
+/// The displacement of the sliding node in a state.
 #[expect(clippy::cast_precision_loss, reason = "counts far below 2^53")]
 pub(crate) fn displacement(state: usize, connector: usize) -> [f64; 3] {
     [0.001, (10 * state + connector % 10) as f64 / 1000.0, 0.0]
 }
 
-/// The forces f2 and f3 across a connector in a state, and the moments on it.
+/// The transverse forces f2 and f3 on a connector in a state, and the moments.
 #[expect(clippy::cast_precision_loss, reason = "counts far below 2^53")]
 pub(crate) fn loads(state: usize, connector: usize) -> [f64; 5] {
     let (force, moment) = ((connector % 100) as f64, state as f64);
     [force + 0.5, -moment, moment + 0.25, force, -0.75]
 }
 
-/// A scene that is generated.
+/// A generated scene.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Generated {
     pub(crate) of: Connector,
@@ -99,7 +99,7 @@ pub(crate) struct Generated {
 }
 
 impl Generated {
-    /// What stands before the nodes, whose numbers may stand in a file of columns.
+    /// Writes the part before the nodes, whose numbers may be in a file of columns.
     fn write_head(self, columns: Option<&str>, out: &mut impl Write) -> anyhow::Result<()> {
         let ([first, second, _], [car, beside, _]) = (RAIL, CAR);
         let Self { of, connectors, .. } = self;
@@ -113,7 +113,7 @@ impl Generated {
         Ok(())
     }
 
-    /// Writes the scene as it is made.
+    /// Writes the scene as it is generated.
     pub(crate) fn write(self, out: &mut impl Write) -> anyhow::Result<()> {
         let mut out = BufWriter::with_capacity(1 << 20, out);
         let comma = |index: usize| if index == 0 { "" } else { "," };
@@ -158,7 +158,7 @@ impl Generated {
         Ok(out.flush()?)
     }
 
-    /// Writes the scene without its numbers, which stand in a file of arrays of this name.
+    /// Writes the scene without its numbers, which are in a file of arrays with this name.
     pub(crate) fn write_description(self, columns: &str, out: &mut impl Write) -> anyhow::Result<()> {
         let of = self.of;
         let loads: serde_json::Map<_, _> = of.loads().iter().map(|&load| (load.into(), load.into())).collect();
@@ -177,7 +177,7 @@ impl Generated {
         Ok(())
     }
 
-    /// Writes the numbers that [`Self::write_description`] names.
+    /// Writes the numbers to which [`Self::write_description`] refers.
     #[expect(clippy::cast_precision_loss, reason = "counts far below 2^53")]
     pub(crate) fn write_arrays(self, out: impl Write) -> std::io::Result<()> {
         let Self { of, connectors, states } = self;

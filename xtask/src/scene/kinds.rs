@@ -1,9 +1,9 @@
-//! What the book says about the kinds of elements, from the tables that the scenes are read with.
+//! The book's tables of the kinds of elements, generated from the tables used to read scenes.
 
 use jointproof::scene::{Dimension, Fallback, Kind, Use};
 use kit::{Served, Table};
 
-/// The tables of every dimension, by the name that `{{#table name}}` gives: `kinds-3d`.
+/// The tables of every dimension, with the name used in `{{#table name}}`: `kinds-3d`.
 pub(crate) fn tables() -> Vec<(String, Vec<Table>)> {
     let mut tables: Vec<(String, Vec<Table>)> = Vec::new();
     for kind in Kind::all() {
@@ -16,12 +16,12 @@ pub(crate) fn tables() -> Vec<(String, Vec<Table>)> {
     tables
 }
 
-/// Where the tables of a kind are in the chapter on scenes.
+/// The anchor of a kind's tables in the chapter on scenes.
 pub(crate) fn anchor(kind: &Kind) -> String {
     format!("{}-{}", kind.name, kind.dimension.name())
 }
 
-/// Every output of a kind with each formula that writes it.
+/// Every output of a kind with each formula that computes it.
 pub(crate) fn served() -> Vec<Served> {
     let of_output = |kind: &'static Kind, (output, register): (&str, &str)| -> Vec<Served> {
         let served = |formula: &'static Use| Served {
@@ -38,7 +38,7 @@ pub(crate) fn served() -> Vec<Served> {
     Kind::all().flat_map(|kind| kind.outputs().flat_map(move |output| of_output(kind, output))).collect()
 }
 
-/// What a kind is given, and its outputs with the formulas behind them.
+/// The parameters of a kind, and its outputs with the formulas behind them.
 fn described(kind: &'static Kind) -> [Table; 2] {
     let parameter = |(name, fallback): (&str, Fallback)| {
         let without = match fallback {
@@ -69,7 +69,7 @@ fn described(kind: &'static Kind) -> [Table; 2] {
     ]
 }
 
-/// What a register holds, and its unit.
+/// The meaning of a register, and its unit.
 fn meaning(kind: &Kind, register: &str) -> String {
     kind.quantity(register).map_or_else(String::new, |quantity| format!("{} ({})", quantity.meaning, quantity.unit))
 }

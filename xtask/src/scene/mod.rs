@@ -115,7 +115,7 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     if scenes.len() < arguments.files.len() {
         return Ok(ExitCode::FAILURE);
     }
-    // Threads are started before the time is taken.
+    // Threads are started before the timing begins.
     rayon::broadcast(|_| ());
     let several = arguments.files.len() > 1;
     let mut documents = Vec::new();
@@ -138,7 +138,7 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     Ok(ExitCode::SUCCESS)
 }
 
-/// A reader that has seen enough, as `head`, is no error.
+/// A reader that stops reading, such as `head`, is no error.
 fn piped(written: anyhow::Result<()>) -> anyhow::Result<()> {
     written.or_else(|error| match error.downcast_ref::<std::io::Error>().map(std::io::Error::kind) {
         Some(std::io::ErrorKind::BrokenPipe) => Ok(()),
@@ -146,7 +146,7 @@ fn piped(written: anyhow::Result<()>) -> anyhow::Result<()> {
     })
 }
 
-/// The path that stands for standard input.
+/// The path that denotes standard input.
 const STANDARD_INPUT: &str = "-";
 
 fn shown(path: &Path) -> String {
@@ -162,7 +162,7 @@ fn bytes(path: &Path) -> std::io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// The scene in a file, or what is wrong with it.
+/// The scene in a file, or its faults.
 fn read(path: &Path) -> anyhow::Result<Result<Scene, String>> {
     let shown = shown(path);
     let bytes = bytes(path).with_context(|| format!("cannot read {shown}"))?;
@@ -170,7 +170,7 @@ fn read(path: &Path) -> anyhow::Result<Result<Scene, String>> {
         Ok(text) => text,
         Err(error) => return Ok(Err(format!("{shown}: byte {} is not UTF-8", error.utf8_error().valid_up_to()))),
     };
-    // A path without a folder is in this one, as is standard input.
+    // A path without a folder is relative to the current one, as is standard input.
     let folder = path.parent().unwrap_or(Path::new(""));
     Ok(Scene::parse_in(folder, &text).map_err(|faults| {
         let lines = faults.list().iter().map(|fault| format!("{shown}: {fault}\n")).collect::<Vec<_>>().concat();
@@ -179,7 +179,7 @@ fn read(path: &Path) -> anyhow::Result<Result<Scene, String>> {
     }))
 }
 
-/// What is to be printed of a scene, but for results that are printed state by state.
+/// The text to be printed for a scene, except results that are printed state by state.
 fn one(project: &Project, arguments: &Arguments, path: &Path, scene: &Scene) -> anyhow::Result<Option<String>> {
     let plan = Plan::new(scene);
     if arguments.plan {

@@ -1,4 +1,4 @@
-//! Files of results, whose names say their form.
+//! Files of results, whose names determine their format.
 
 use super::show::Format;
 use std::path::PathBuf;
@@ -11,16 +11,16 @@ pub(crate) struct Target {
     pub(crate) form: Form,
 }
 
-/// How results are written.
+/// The format of results.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Form {
-    /// As arrays that numpy opens.
+    /// As arrays readable by NumPy.
     Arrays,
-    /// As they are printed.
+    /// In a printed format.
     Printed(Format),
 }
 
-/// What a file can end in.
+/// The possible file extensions.
 const FORMS: [(&str, Form); 4] = [
     ("npz", Form::Arrays),
     ("json", Form::Printed(Format::Json)),

@@ -1,12 +1,12 @@
-//! Results over the history, drawn.
+//! Plots of results over the history.
 
 use crate::figures::chart::{Axis, Chart, Curve};
 use jointproof::scene::Results;
 
-/// Curves in a chart; a fifth could not be told from the first.
+/// The largest number of curves in a chart; a fifth style would not be distinguishable from the first.
 const CURVES: usize = 4;
 
-/// An SVG per output of one component; none where there is but one state.
+/// An SVG for each output with one component; none if there is only one state.
 pub(crate) fn charts(results: &Results) -> Vec<(&'static str, String)> {
     let mut outputs: Vec<&'static str> = Vec::new();
     for series in &results.series {
@@ -27,9 +27,9 @@ pub(crate) fn chart(results: &Results, output: &str, name: &str, label: &str, de
         .map(|(k, series)| {
             let values = results.times.iter().zip(series.values.iter());
             let points: Vec<_> = values.filter_map(|(&time, values)| Some((time, *values.first()?))).collect();
-            // The names stand beside different points, so as not to cover each other.
+            // The names are written at different points, so that they do not overlap.
             let label_at = points.len() * (k + 1) / (CURVES + 1);
-            // One curve needs no name: the axis says what it is.
+            // A single curve needs no name: the axis names the quantity.
             let name = if alone { "" } else { &*series.element };
             Curve { name, label_at, points }
         })
@@ -49,10 +49,10 @@ pub(crate) fn chart(results: &Results, output: &str, name: &str, label: &str, de
     .svg()
 }
 
-/// A linear axis with round ticks that holds the values.
+/// A linear axis with round ticks that contains the values.
 fn axis(label: &str, values: impl Iterator<Item = f64>) -> Axis<'_> {
     let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
-    // A constant still needs room.
+    // A constant needs an interval of non-zero length.
     let room = if high > low { 0.0 } else { high.abs().max(1e-300) * 0.5 };
     let (low, high) = (low - room, high + room);
     let rough = (high - low) / 5.0;
@@ -60,7 +60,7 @@ fn axis(label: &str, values: impl Iterator<Item = f64>) -> Axis<'_> {
     let step =
         [1.0, 2.0, 5.0, 10.0].map(|factor| factor * decade).into_iter().find(|&step| step >= rough).unwrap_or(rough);
     let (first, last) = ((low / step).floor(), (high / step).ceil());
-    // Divided by the reciprocal where that is the whole number, so that 0.1 × 3 is printed as 0.3.
+    // Divided by the reciprocal if that is an integer, so that 0.1 × 3 is printed as 0.3.
     let tick = |k: f64| if step < 1.0 { k / (1.0 / step).round() } else { k * step };
     let mut ticks = Vec::new();
     let mut k = first;

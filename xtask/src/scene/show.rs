@@ -17,7 +17,7 @@ pub(crate) enum Format {
     Csv,
 }
 
-/// Elements that a table on the terminal has.
+/// The number of elements shown in a table on the terminal.
 pub(crate) const SHOWN: usize = 8;
 
 pub(crate) fn plan(plan: &Plan<'_>, format: Format) -> anyhow::Result<String> {
@@ -114,7 +114,7 @@ fn text(scene: &Scene, results: &Results, exact: Option<&Results>) -> anyhow::Re
 }
 
 fn add_columns(columns: &mut Vec<Column>, series: &Series, exact: Option<&Series>) {
-    // A torque is not there in every state.
+    // A torque is not available in every state.
     let width = series.values.width();
     for component in 0..width {
         let heading = match width {
@@ -135,7 +135,7 @@ fn add_columns(columns: &mut Vec<Column>, series: &Series, exact: Option<&Series
     }
 }
 
-/// Nine significant digits, without zeros that say nothing.
+/// Nine significant digits, without trailing zeros.
 fn digits(x: f64) -> String {
     let magnitude = if x == 0.0 { x } else { x.abs().log10().floor() };
     if !(-5.0..9.0).contains(&magnitude) {
@@ -166,13 +166,13 @@ fn table(text: &mut String, columns: &[Column]) -> std::fmt::Result {
     Ok(())
 }
 
-/// What an output is of the elements that show it, with its unit: one meaning, or one for each kind that means something else.
+/// The meaning of an output for the elements shown, with its unit; several if it differs between kinds.
 fn meaning(scene: &Scene, results: &Results, output: &str) -> String {
     let of_output = results.series.iter().filter(|series| series.output == output);
-    // The torque of a slide line goes by the name of the line; it is that of its elements.
+    // The torque of a slide line is listed under the name of the line, but is an output of its elements.
     let sliding = || Kind::all().find(|kind| kind.slides() && kind.output(output).is_some());
     let mut meanings: Vec<(&str, String)> = Vec::new();
-    // Of many elements in a row that are of one kind, one is asked.
+    // Of many consecutive elements of one kind, only one is looked up.
     let mut kinds: Vec<&Kind> = of_output.filter_map(|series| scene.kind(&series.element).or_else(sliding)).collect();
     kinds.dedup_by_key(|kind| kind.name);
     for kind in kinds {
@@ -212,8 +212,8 @@ fn csv(results: &Results, exact: Option<&Results>) -> anyhow::Result<String> {
 
 const HEAD: &str = "time,element,output,component,value\n";
 
-/// Evaluates and writes state by state, so that memory does not grow with the number of states. What was written before
-/// a formula turns out to be undefined is right, and the exit code says that there was no more.
+/// Evaluates and writes state by state, so that memory does not grow with the number of states. If a formula turns out
+/// to be undefined, what was written before is valid, and the exit code indicates that the output is incomplete.
 pub(crate) fn stream(plan: &Plan<'_>, out: &mut impl Write) -> anyhow::Result<()> {
     let mut out = BufWriter::with_capacity(1 << 20, out);
     let scene = plan.scene();
@@ -263,7 +263,7 @@ mod tests {
         assert_eq!(quoted(r#"a "b", c"#), r#""a ""b"", c""#);
     }
 
-    /// So many slots of which the second node moves by a quarter and by a half.
+    /// The given number of slots whose second nodes move by a quarter and by a half.
     fn scene(elements: usize, outputs: &str) -> Scene {
         let elements: Vec<_> =
             (0..elements).map(|k| format!(r#""e{k}": {{"kind": "slot", "nodes": ["a", "b"]}}"#)).collect();
@@ -277,7 +277,7 @@ mod tests {
         Scene::parse(&text).unwrap()
     }
 
-    /// Results, and others whose last number is larger by a quarter.
+    /// Results, and a copy with the last number increased by a quarter.
     fn both(scene: &Scene) -> [Results; 2] {
         let found = Results::of(scene).unwrap();
         let mut other = found.clone();

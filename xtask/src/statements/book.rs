@@ -1,4 +1,4 @@
-//! The statements in the book: traceability, sources, errata, and what an entry says.
+//! The statements in the book: traceability, sources, errata, and the statements listed in entries.
 
 use super::document::{Counts, Document};
 use super::documents;
@@ -10,10 +10,10 @@ use jointproof::catalog::CATALOG;
 use kit::{Fact, Project, listing_page};
 use std::fmt::Write;
 
-/// The page of the traceability.
+/// The page on traceability.
 const PAGE: &str = "traceability.html";
 
-/// What chapters put in by `{{#text name}}`, in Markdown.
+/// Texts that chapters include by `{{#text name}}`, in Markdown.
 pub(crate) fn texts(project: &Project) -> anyhow::Result<Vec<(String, String)>> {
     let (documents, world) = (documents::all(), World::read(project)?);
     let mut texts = vec![
@@ -24,7 +24,7 @@ pub(crate) fn texts(project: &Project) -> anyhow::Result<Vec<(String, String)>> 
     Ok(texts)
 }
 
-/// What every entry says: the statements that name its formula.
+/// The facts listed in every entry: the statements that name its formula.
 pub(crate) fn facts(project: &Project) -> anyhow::Result<Vec<Fact>> {
     let (documents, world) = (documents::all(), World::read(project)?);
     let fact = |id: &str| {
@@ -37,7 +37,7 @@ pub(crate) fn facts(project: &Project) -> anyhow::Result<Vec<Fact>> {
     Ok(CATALOG.iter().map(|formula| fact(formula.spec().id)).collect())
 }
 
-/// The statements that name a formula, a line each (text).
+/// The statements that name a formula, one line each (text).
 pub(super) fn of_formula(documents: &[Document], world: &World, id: &str) -> Vec<String> {
     let lines = documents.iter().flat_map(|document| {
         document.statements.iter().filter(|statement| statement.names(id)).map(move |statement| {
@@ -50,7 +50,7 @@ pub(super) fn of_formula(documents: &[Document], world: &World, id: &str) -> Vec
     lines.collect()
 }
 
-/// A case, function, output or erratum of a statement, as an entry links it; the entry has its own laws.
+/// A case, function, output or erratum of a statement, as linked from an entry; laws are listed in the entry already.
 fn beside(cover: &Cover, id: &str, world: &World) -> Option<String> {
     match cover {
         Cover::Case(formula, case) if formula.spec().id == id => Some(golden(*formula, case)),
@@ -89,7 +89,7 @@ fn stands(status: Status) -> String {
     }
 }
 
-/// What covers a statement, with a link where there is something to see (Markdown).
+/// What covers a statement, with a link if there is a target (Markdown).
 fn reference(cover: &Cover, world: &World) -> String {
     match *cover {
         Cover::Formula(formula) => format!("`{}`", formula.spec().id),
@@ -120,7 +120,7 @@ fn output(name: &str) -> String {
     }
 }
 
-/// A place in the book, as a link.
+/// A location in the book, as a link.
 fn chapter(place: &str) -> String {
     let (file, anchor) = place.split_once('#').unwrap_or((place, ""));
     let page = file.trim_end_matches(".md");
@@ -135,7 +135,7 @@ fn linked(words: &str, place: Option<world::Place>) -> String {
     }
 }
 
-/// A path from its type on, as code.
+/// A path from its type onwards, as code.
 fn short(path: &str) -> String {
     let plain = world::plain(path);
     let parts: Vec<_> = plain.split("::").collect();
@@ -144,7 +144,7 @@ fn short(path: &str) -> String {
     format!("`{}`", parts[start..].join("::"))
 }
 
-/// What each document is, how to find it, its sections, and the text that was used.
+/// The description of each document, how to find it, its sections, and the text that was used.
 fn sources(documents: &[Document]) -> String {
     let mut text = String::new();
     for Document { source, about, found, sections, bytes, sha256, statements, .. } in documents {

@@ -1,4 +1,4 @@
-//! What can be wrong with the statements.
+//! Checks of the statements.
 
 use super::document::Document;
 use super::erratum::Erratum;
@@ -11,7 +11,7 @@ use std::collections::BTreeSet;
 /// The chapter of the errata.
 const ERRATA: &str = "errata.md";
 
-/// Everything that is wrong, a line each.
+/// All faults, one line each.
 pub(super) fn faults(documents: &[Document], errata: &[Erratum], world: &World) -> Vec<String> {
     let mut faults = Vec::new();
     let mut anchors = BTreeSet::new();
@@ -29,7 +29,7 @@ pub(super) fn faults(documents: &[Document], errata: &[Erratum], world: &World) 
     faults
 }
 
-/// What is wrong with one statement.
+/// The faults of one statement.
 fn of_statement(statement: &Statement, errata: &[Erratum], world: &World) -> Vec<String> {
     let mut faults: Vec<_> =
         statement.covers.iter().filter(|cover| !exists(cover, errata, world)).map(reference).collect();
@@ -46,7 +46,7 @@ fn of_statement(statement: &Statement, errata: &[Erratum], world: &World) -> Vec
     faults
 }
 
-/// Whether there is what a reference names. Formulas and functions are there, or this would not compile; a function that
+/// Whether the target of a reference exists. Formulas and functions exist, or this would not compile; a function that
 /// cannot be found in its file could not be shown.
 fn exists(cover: &Cover, errata: &[Erratum], world: &World) -> bool {
     match *cover {
@@ -61,7 +61,7 @@ fn exists(cover: &Cover, errata: &[Erratum], world: &World) -> bool {
     }
 }
 
-/// A reference to nothing, in words.
+/// A dangling reference, in words.
 fn reference(cover: &Cover) -> String {
     match *cover {
         Cover::Formula(formula) => format!("the formula {} is not in the catalog", formula.spec().id),
@@ -75,7 +75,7 @@ fn reference(cover: &Cover) -> String {
     }
 }
 
-/// A formula that no statement names, unless it is ours, or one whose section is none of its document's.
+/// A formula that no statement names, unless it is derived by us, or one whose section is not in its document.
 fn unnamed(formula: Formula, documents: &[Document]) -> Option<String> {
     let spec = formula.spec();
     let (id, source) = (spec.id, spec.source);
@@ -91,7 +91,7 @@ fn unnamed(formula: Formula, documents: &[Document]) -> Option<String> {
     None
 }
 
-/// What is wrong with an erratum: what it shows, and its place in the chapter.
+/// The faults of an erratum: of its comparisons, and of its location in the chapter.
 fn of_erratum(erratum: &Erratum, world: &World) -> Vec<String> {
     let mut faults = erratum.faults();
     let anchor = erratum.anchor;

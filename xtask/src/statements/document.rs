@@ -1,15 +1,15 @@
-//! A document, and what it says.
+//! A document and its statements.
 
 use super::statement::{Statement, Status};
 use jointproof::formula;
 
 /// A document that formulas were taken from.
 pub(crate) struct Document {
-    /// What formulas call it.
+    /// Its identity as used by formulas.
     pub(crate) source: formula::Document,
-    /// The beginning of its statements' anchors.
+    /// The prefix of its statements' anchors.
     pub(crate) anchor: &'static str,
-    /// What kind of text it is, and what it is about (Markdown).
+    /// The kind of text and its subject (Markdown).
     pub(crate) about: &'static str,
     /// How to find it (Markdown).
     pub(crate) found: &'static str,
@@ -17,9 +17,9 @@ pub(crate) struct Document {
     pub(crate) sections: &'static [&'static str],
     /// The size of the text that was used.
     pub(crate) bytes: usize,
-    /// The checksum of that text: what `sha256sum` says of the file as it was handed to us, found once, by hand.
+    /// The checksum of that text: the output of `sha256sum` for the file we received, determined once, by hand.
     pub(crate) sha256: &'static str,
-    /// What it says.
+    /// Its statements.
     pub(crate) statements: Vec<Statement>,
 }
 
@@ -30,7 +30,7 @@ impl Document {
     }
 }
 
-/// How many statements there are, and how they stand.
+/// The number of statements by status.
 pub(super) struct Counts {
     pub(super) all: usize,
     pub(super) covered: usize,

@@ -8,7 +8,7 @@ mod ujoint;
 
 use super::document::Document;
 
-/// All five.
+/// All five documents.
 pub(crate) fn all() -> Vec<Document> {
     vec![slot::document(), ujoint::document(), slider::document(), translator::document(), slide_line::document()]
 }

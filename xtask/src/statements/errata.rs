@@ -1,6 +1,6 @@
 //! The errata, executed.
 //!
-//! The words stand in `book/src/errata.md`; the tables there are made here, so that no number in them is typed.
+//! The text is in `book/src/errata.md`; its tables are generated here, so that no number in them is typed by hand.
 
 mod contact;
 mod friction;

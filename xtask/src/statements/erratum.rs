@@ -1,24 +1,24 @@
-//! An erratum, executed: a literal reading beside the one that is used, both evaluated, and the law that the literal one
-//! breaks.
+//! An executed erratum: a literal reading and the one that is used, both evaluated, and the law that the literal one
+//! violates.
 
 use jointproof::formula::Formula;
 use std::fmt::Write;
 
-/// An erratum, by its anchor in the chapter.
+/// An erratum, identified by its anchor in the chapter.
 pub(crate) struct Erratum {
     /// The anchor.
     pub(crate) anchor: &'static str,
-    /// What was evaluated.
+    /// The evaluated comparisons.
     pub(crate) comparisons: Vec<Comparison>,
 }
 
-/// Readings of one place, evaluated at one point, and a law to judge them.
+/// Readings of one passage, evaluated at one point, and a law to judge them.
 pub(crate) struct Comparison {
     /// The point (Markdown).
     at: &'static str,
     /// The law (Markdown).
     law: &'static str,
-    /// How far a reading may be off the law to be called right.
+    /// The largest deviation from the law for a reading to count as right.
     bound: f64,
     readings: Vec<Reading>,
 }
@@ -26,38 +26,38 @@ pub(crate) struct Comparison {
 /// One reading.
 struct Reading {
     kind: Kind,
-    /// Whose it is (Markdown).
+    /// The origin of the reading (Markdown).
     whose: String,
-    /// What it says, in LaTeX.
+    /// The reading in LaTeX.
     latex: &'static str,
     values: Vec<f64>,
-    /// By how much it is off the law, as a part of the numbers compared.
+    /// The deviation from the law, relative to the numbers compared.
     off: f64,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Kind {
-    /// Breaks the law.
+    /// A reading that violates the law.
     Literal,
-    /// Obeys it.
+    /// A reading that satisfies the law.
     Right,
 }
 
-/// How many times the bound a literal reading must be off.
+/// The least deviation of a literal reading, as a multiple of the bound.
 const BROKEN: f64 = 1e3;
 
-/// An erratum of these comparisons.
+/// An erratum with these comparisons.
 pub(super) fn erratum(anchor: &'static str, comparisons: Vec<Comparison>) -> Erratum {
     Erratum { anchor, comparisons }
 }
 
-/// A comparison at a point; readings follow.
+/// A comparison at a point; readings are added by the methods below.
 pub(super) fn at(at: &'static str, law: &'static str) -> Comparison {
     Comparison { at, law, bound: 1e-12, readings: Vec::new() }
 }
 
 impl Comparison {
-    /// The document read as it stands.
+    /// The document read literally.
     pub(super) fn printed(self, latex: &'static str, value: f64, off: f64) -> Self {
         self.reading(Kind::Literal, "as printed".into(), latex, &[value], off)
     }
@@ -72,12 +72,12 @@ impl Comparison {
         self.reading(Kind::Literal, whose.into(), latex, &[value], off)
     }
 
-    /// What the library does.
+    /// The reading of the library.
     pub(super) fn here<F: Formula>(self, latex: &'static str, value: f64, off: f64) -> Self {
         self.reading(Kind::Right, format!("here: `{}`", F::SPEC.id), latex, &[value], off)
     }
 
-    /// What is right, though no formula of the library.
+    /// A right reading that is not a formula of the library.
     pub(super) fn right(self, whose: &str, latex: &'static str, values: &[f64], off: f64) -> Self {
         self.reading(Kind::Right, whose.into(), latex, values, off)
     }
@@ -92,7 +92,7 @@ impl Comparison {
         self
     }
 
-    /// What is not as it should be: a literal reading that obeys the law, or a right one that breaks it.
+    /// The faults: a literal reading that satisfies the law, or a right one that violates it.
     fn faults(&self) -> impl Iterator<Item = String> {
         let wrong = |reading: &&Reading| {
             let (breaks, obeys) = (reading.off > BROKEN * self.bound, reading.off <= self.bound);
@@ -104,14 +104,14 @@ impl Comparison {
         })
     }
 
-    /// Whether there is something on both sides.
+    /// Whether there are readings of both kinds.
     fn compares(&self) -> bool {
         [Kind::Literal, Kind::Right].iter().all(|kind| self.readings.iter().any(|reading| reading.kind == *kind))
     }
 }
 
 impl Erratum {
-    /// What is wrong with it.
+    /// Its faults.
     pub(crate) fn faults(&self) -> Vec<String> {
         let mut faults: Vec<_> = self.comparisons.iter().flat_map(Comparison::faults).collect();
         if self.comparisons.is_empty() || !self.comparisons.iter().all(Comparison::compares) {
@@ -135,7 +135,7 @@ impl Erratum {
     }
 }
 
-/// Four digits of each; what is rounding beside the largest is 0.
+/// Four digits of each; a value that is rounding error compared with the largest is 0.
 fn all_digits(values: &[f64]) -> String {
     let largest = values.iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
     let shown = values.iter().map(|value| digits(if value.abs() < largest * 1e-12 { 0.0 } else { *value }));
@@ -157,12 +157,12 @@ fn digits(x: f64) -> String {
     }
 }
 
-/// Without zeros that say nothing.
+/// Without trailing zeros.
 fn without_zeros(number: &str) -> &str {
     if number.contains('.') { number.trim_end_matches('0').trim_end_matches('.') } else { number }
 }
 
-/// By how much two numbers differ, as a part of the larger one; 0 where both are 0.
+/// The difference of two numbers relative to the larger one; 0 if both are 0.
 pub(super) fn apart(a: f64, b: f64) -> f64 {
     let size = a.abs().max(b.abs());
     if size == 0.0 { 0.0 } else { (a - b).abs() / size }

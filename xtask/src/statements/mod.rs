@@ -1,7 +1,7 @@
-//! What the documents say, statement by statement, and what covers it.
+//! The statements of the documents, and what covers each of them.
 //!
-//! A document is a table of [statements](statement::Statement). [`faults`] finds a statement that nothing covers, a
-//! reference to nothing, a formula that no statement names, and an erratum that does not show what it says; `verify` fails
+//! A document is a table of [statements](statement::Statement). [`faults`] finds statements that nothing covers,
+//! dangling references, formulas that no statement names, and errata that do not show what they claim; `verify` fails
 //! on each. The book has the same tables as the chapter "Traceability", and every entry the statements that name it.
 
 pub(crate) mod book;
@@ -21,7 +21,7 @@ use document::Counts;
 use kit::Project;
 use world::World;
 
-/// Checks all statements and errata: whether all is well, and counts.
+/// Checks all statements and errata, and returns whether all is well, with counts.
 pub(crate) fn verify(project: &Project) -> anyhow::Result<(bool, String)> {
     let (documents, errata) = (documents::all(), errata::all());
     let faults = faults(&documents, &errata, &World::read(project)?);

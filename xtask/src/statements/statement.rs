@@ -1,28 +1,28 @@
-//! One statement of a document, where it stands, and what covers it.
+//! One statement of a document, its status, and what covers it.
 
 use jointproof::catalog::AnyFormula;
 use std::any::type_name;
 
-/// Something that a document says, in our words.
+/// A statement of a document, paraphrased.
 pub(crate) struct Statement {
-    /// The line of the document's text, and the sentence in it where it has several: `L22-s1`.
+    /// The line of the document's text, and the sentence if the line has several: `L22-s1`.
     pub(crate) id: &'static str,
     /// A paraphrase.
     pub(crate) says: &'static str,
-    /// Where it stands.
+    /// Its status.
     pub(crate) status: Status,
     /// What covers it.
     pub(crate) covers: Vec<Cover>,
 }
 
-/// Where a statement stands.
+/// The status of a statement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Status {
-    /// What covers it says the same.
+    /// It agrees with what covers it.
     Covered,
-    /// The document is wrong, unclear or has lost symbols here; an erratum says what is done.
+    /// The document is wrong, unclear or has lost symbols here; an erratum says how this is resolved.
     Erratum,
-    /// Nothing to code, and why.
+    /// There is nothing to implement, for the reason given here.
     Outside(&'static str),
 }
 
@@ -31,7 +31,7 @@ pub(crate) enum Status {
 pub(crate) enum Cover {
     /// A formula of the catalog.
     Formula(Formula),
-    /// A law of a formula, by the beginning of its words.
+    /// A law of a formula, identified by the beginning of its text.
     Law(Formula, &'static str),
     /// A golden case of a formula, by its id.
     Case(Formula, &'static str),
@@ -41,7 +41,7 @@ pub(crate) enum Cover {
     Output(&'static str),
     /// A test, as `ujoint::a_name` of `tests/ujoint.rs`.
     Test(&'static str),
-    /// A place in the book, as `slot.md#forces`.
+    /// A location in the book, as `slot.md#forces`.
     Chapter(&'static str),
     /// An erratum, by its anchor.
     Erratum(&'static str),
@@ -50,7 +50,7 @@ pub(crate) enum Cover {
 /// A formula of the catalog.
 pub(crate) type Formula = &'static dyn AnyFormula;
 
-/// A statement that is covered by what follows.
+/// A statement covered by the items added below.
 pub(super) fn covered(id: &'static str, says: &'static str) -> Statement {
     Statement { id, says, status: Status::Covered, covers: Vec::new() }
 }
@@ -60,53 +60,53 @@ pub(super) fn mended(id: &'static str, says: &'static str, erratum: &'static str
     Statement { id, says, status: Status::Erratum, covers: Vec::new() }.erratum(erratum)
 }
 
-/// A statement without anything to code, and why.
+/// A statement with nothing to implement, and the reason.
 pub(super) fn outside(id: &'static str, says: &'static str, why: &'static str) -> Statement {
     Statement { id, says, status: Status::Outside(why), covers: Vec::new() }
 }
 
 impl Statement {
-    /// Formulas.
+    /// Adds formulas.
     pub(super) fn formulas(self, formulas: &[Formula]) -> Self {
         self.and(formulas.iter().map(|formula| Cover::Formula(*formula)))
     }
 
-    /// A law of a formula, by the beginning of its words.
+    /// Adds a law of a formula, identified by the beginning of its text.
     pub(super) fn law(self, formula: Formula, words: &'static str) -> Self {
         self.and([Cover::Law(formula, words)])
     }
 
-    /// Golden cases of a formula.
+    /// Adds golden cases of a formula.
     pub(super) fn cases(self, formula: Formula, ids: &[&'static str]) -> Self {
         self.and(ids.iter().map(|id| Cover::Case(formula, id)))
     }
 
-    /// A typed function.
+    /// Adds a typed function.
     pub(super) fn method<F>(self, _: F) -> Self {
         self.and([Cover::Item(type_name::<F>())])
     }
 
-    /// A type.
+    /// Adds a type.
     pub(super) fn item<T>(self) -> Self {
         self.and([Cover::Item(type_name::<T>())])
     }
 
-    /// Outputs of scenes.
+    /// Adds outputs of scenes.
     pub(super) fn outputs(self, outputs: &[&'static str]) -> Self {
         self.and(outputs.iter().map(|output| Cover::Output(output)))
     }
 
-    /// A test.
+    /// Adds a test.
     pub(super) fn test(self, test: &'static str) -> Self {
         self.and([Cover::Test(test)])
     }
 
-    /// A place in the book.
+    /// Adds a location in the book.
     pub(super) fn chapter(self, place: &'static str) -> Self {
         self.and([Cover::Chapter(place)])
     }
 
-    /// An erratum.
+    /// Adds an erratum.
     pub(super) fn erratum(self, anchor: &'static str) -> Self {
         self.and([Cover::Erratum(anchor)])
     }
@@ -116,7 +116,7 @@ impl Statement {
         self
     }
 
-    /// Whether a formula is named.
+    /// Whether it names a formula.
     pub(super) fn names(&self, id: &str) -> bool {
         self.covers.iter().any(|cover| matches!(cover, Cover::Formula(formula) if formula.spec().id == id))
     }

@@ -1,4 +1,4 @@
-//! Whole registries: ours, and planted ones with one thing wrong.
+//! Whole registries: the real one, and planted ones with one fault.
 
 use super::book;
 use super::check::faults;
@@ -18,7 +18,7 @@ fn world() -> World {
     World::read(&project).unwrap()
 }
 
-/// What is wrong once a statement is added to ours.
+/// The faults after a statement is added to the real ones.
 fn planted(statement: Statement) -> Vec<String> {
     let mut documents = documents::all();
     documents[0].statements.push(statement);
@@ -54,10 +54,10 @@ fn verify_is_told_whether_anything_is_wrong() {
     assert!(told.status.success() && said.contains("slot.stop"), "{said}");
 }
 
-/// Where a project stands in which something is wrong.
+/// The folder of a project with a fault.
 const FOLDER: &str = "JOINTPROOF_WRONG_STATEMENTS";
 
-/// What the test before runs by itself, to read what is said to people.
+/// Run by the previous test in a separate process, whose messages it reads.
 #[test]
 fn what_is_wrong_is_said() {
     let Ok(folder) = std::env::var(FOLDER) else { return };

@@ -1,4 +1,4 @@
-//! What there is to refer to: chapters and their anchors, golden cases, tests and other code, outputs of scenes.
+//! The targets of references: chapters and their anchors, golden cases, tests and other code, outputs of scenes.
 
 use anyhow::Context;
 use jointproof::scene::Kind;
@@ -8,7 +8,7 @@ use pulldown_cmark::{Event, HeadingLevel, Options, Parser, Tag, TagEnd};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
-/// The repository, as far as a statement can refer to it.
+/// The parts of the repository that a statement can refer to.
 pub(super) struct World {
     /// The chapters by file name.
     chapters: BTreeMap<String, String>,
@@ -27,7 +27,7 @@ pub(super) struct Place {
 }
 
 impl World {
-    /// What is on disk now.
+    /// Reads the current state on disk.
     pub(super) fn read(project: &Project) -> anyhow::Result<Self> {
         let mut world = Self { chapters: BTreeMap::new(), code: BTreeMap::new(), golden: project.golden() };
         read(project, &project.root().join("book/src"), "md", &mut world.chapters)?;
@@ -37,7 +37,7 @@ impl World {
         Ok(world)
     }
 
-    /// A repository of these chapters and this code, without golden files.
+    /// A repository with these chapters and this code, without golden files.
     #[cfg(test)]
     pub(super) fn of(chapters: &[(&str, &str)], code: &[(&str, &str)]) -> Self {
         let named =
@@ -63,7 +63,7 @@ impl World {
         file.is_some_and(|file| file.cases.iter().any(|record| record.id == case))
     }
 
-    /// Where a test is, given as `ujoint::a_name` of `tests/ujoint.rs`.
+    /// The location of a test, given as `ujoint::a_name` of `tests/ujoint.rs`.
     pub(super) fn test(&self, test: &str) -> Option<Place> {
         let (file, name) = test.split_once("::")?;
         let file = format!("tests/{file}.rs");
@@ -74,7 +74,7 @@ impl World {
         is_test.then_some(Place { file, line: line + 1 })
     }
 
-    /// Where a function or type of the library is, given by its Rust path.
+    /// The location of a function or type of the library, given by its Rust path.
     pub(super) fn item(&self, path: &str) -> Option<Place> {
         let plain = plain(path);
         let parts: Vec<_> = plain.split("::").skip(1).collect();
@@ -95,7 +95,7 @@ impl World {
     }
 }
 
-/// Whether scenes have an output, given as `slot/U1`, or as `slider@2d/G` in one dimension: its first kind.
+/// The kind with this output, given as `slot/U1`, or as `slider@2d/G` in one dimension; the first if there are several.
 pub(super) fn output(name: &str) -> Option<&'static Kind> {
     let (kind, output) = name.split_once('/')?;
     let (kind, dimension) = kind.split_once('@').map_or((kind, None), |(kind, dimension)| (kind, Some(dimension)));
@@ -119,7 +119,7 @@ pub(super) fn plain(path: &str) -> String {
     path.chars().filter(outside).collect()
 }
 
-/// A function of a type, or, made by a macro for several types, the function of that name.
+/// The line of a method of a type or, if a macro makes it for several types, of the function with that name.
 fn method(lines: &[&str], owner: &str, name: &str) -> Option<usize> {
     let is_owners = |line: &&str| line.starts_with("impl") && line.contains(owner);
     let start = lines.iter().position(is_owners)?;
@@ -134,7 +134,7 @@ fn defines(line: &str, key: &str, name: &str) -> bool {
     words.any(|word| word == key) && words.next() == Some(name)
 }
 
-/// The anchors of a chapter: its headings as mdBook names them, and its entries.
+/// The anchors of a chapter: its headings as named by mdBook, and its entries.
 pub(super) fn anchors(text: &str) -> BTreeSet<String> {
     let options = Options::ENABLE_MATH | Options::ENABLE_HEADING_ATTRIBUTES;
     let (mut found, mut heading): (BTreeSet<String>, Option<String>) = Default::default();
@@ -160,13 +160,13 @@ pub(super) fn anchors(text: &str) -> BTreeSet<String> {
     found
 }
 
-/// The words of a heading as an anchor.
+/// The anchor made of the words of a heading.
 fn normal(heading: &str) -> String {
     let kept = heading.trim().chars().filter(|c| c.is_alphanumeric() || "_- ".contains(*c));
     kept.map(|c| if c == ' ' { '-' } else { c.to_ascii_lowercase() }).collect()
 }
 
-/// Reads the files of a folder and below that have an ending.
+/// Reads all files with this ending in a folder and below it.
 fn read(project: &Project, folder: &Path, ending: &str, into: &mut BTreeMap<String, String>) -> anyhow::Result<()> {
     for entry in std::fs::read_dir(folder).with_context(|| format!("cannot list {}", folder.display()))? {
         let path = entry?.path();

@@ -1,13 +1,13 @@
-//! How well other programs agree with the connectors, as the comparisons with them have recorded it in `tests/data/foreign`.
+//! The agreement of other programs with the connectors, as recorded by the comparisons in `tests/data/foreign`.
 
 use anyhow::{Context, ensure};
 use kit::{Project, Table};
 use serde::Deserialize;
 
-/// The programs in the order of the columns, as their files are called.
+/// The programs in the order of the columns, with the names of their files.
 const PROGRAMS: [&str; 4] = ["pinocchio", "mujoco", "exudyn", "calculix"];
 
-/// What was compared with a program.
+/// The comparisons with a program.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Record {
@@ -16,18 +16,18 @@ struct Record {
     comparisons: Vec<Comparison>,
 }
 
-/// A quantity of a connector, and the worst error of it.
+/// A quantity of a connector, and its largest error.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Comparison {
     connector: String,
     quantity: String,
-    /// At how many poses, or over how many steps.
+    /// The number of poses or steps.
     places: String,
     worst: f64,
 }
 
-/// The table `agreement`, connectors by programs, and `agreement-of-quantities`, what is compared of each by programs.
+/// The table `agreement`, connectors by programs, and `agreement-of-quantities`, the quantities compared by programs.
 pub(crate) fn tables(project: &Project) -> anyhow::Result<Vec<(String, Vec<Table>)>> {
     let folder = project.root().join("tests/data/foreign");
     let record = |program: &&str| {
@@ -48,19 +48,19 @@ fn parse(text: &str) -> anyhow::Result<Record> {
     Ok(record)
 }
 
-/// The worst error of each connector.
+/// The largest error of each connector.
 fn by_connector(records: &[Record]) -> Table {
     rows(records, ["Connector"], |comparison| [comparison.connector.clone()])
 }
 
-/// The worst error of each quantity, those of a connector together.
+/// The largest error of each quantity, grouped by connector.
 fn by_quantity(records: &[Record]) -> Table {
     rows(records, ["Connector", "Compared"], |Comparison { connector, quantity, places, .. }| {
         [connector.clone(), format!("{quantity}, {places}")]
     })
 }
 
-/// A row for all comparisons that are about the same, and a column for each program.
+/// One row for all comparisons of the same quantity, and one column for each program.
 fn rows<const N: usize>(records: &[Record], head: [&str; N], about: impl Fn(&Comparison) -> [String; N]) -> Table {
     let mut abouts: Vec<[String; N]> = Vec::new();
     for comparison in records.iter().flat_map(|record| &record.comparisons) {
@@ -68,7 +68,7 @@ fn rows<const N: usize>(records: &[Record], head: [&str; N], about: impl Fn(&Com
             abouts.push(about(comparison));
         }
     }
-    // Connectors and, of each, quantities, as they were first met.
+    // Connectors, and quantities of each, in the order of first occurrence.
     let connectors: Vec<String> = abouts.iter().map(|about| about[0].clone()).collect();
     abouts.sort_by_key(|about| connectors.iter().position(|connector| *connector == about[0]));
     let cell = |record: &Record, of: &[String; N]| {
@@ -81,7 +81,7 @@ fn rows<const N: usize>(records: &[Record], head: [&str; N], about: impl Fn(&Com
     Table { head, rows: abouts.iter().map(row).collect(), ..Table::default() }
 }
 
-/// In mathematics, with two digits.
+/// In scientific notation, with two digits.
 fn scientific(error: f64) -> String {
     if error == 0.0 {
         return "0".into();

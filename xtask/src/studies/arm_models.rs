@@ -5,7 +5,7 @@ use jointproof::connector::ujoint::{Arm, AxialFactors, AxialShares, TwistFactors
 use jointproof::formula::Formula;
 use num_dual::DualNum;
 
-/// The four shares by one model of the arm.
+/// The four factors of one model of the arm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Model {
     /// Share of the twisting moment that bends a hinge.
@@ -19,7 +19,7 @@ pub(crate) struct Model {
 }
 
 impl Model {
-    /// From α_twist and from how stiff a bent arm is beside a stretched one: both equilibria give the rest.
+    /// From α_twist and the ratio of bending to axial stiffness of an arm; both equilibria determine the rest.
     fn new(alpha_twist: f64, bent_to_stretched: f64) -> Self {
         let alpha_axial = 0.5 / (1.0 + bent_to_stretched);
         Self { alpha_twist, beta_twist: 0.25 + alpha_twist, alpha_axial, beta_axial: bent_to_stretched * alpha_axial }
@@ -41,8 +41,8 @@ pub(crate) struct Models {
     pub(crate) euler_bernoulli: Model,
 }
 
-/// All models of the arm at `count` slendernesses, evenly spaced on a logarithmic scale from 10^`first` to 10^`last`: the
-/// data of the book's plot. The same on every machine.
+/// All models of the arm at `count` slendernesses, evenly spaced on a logarithmic scale from 10^`first` to 10^`last`:
+/// the data of the plot in the book. They are the same on every machine.
 pub(crate) fn curves(first: i32, last: i32, count: u32) -> Vec<Models> {
     let (first, last) = (Octuple::from(f64::from(first)), Octuple::from(f64::from(last)));
     let at = |k: u32| {
@@ -81,7 +81,7 @@ mod tests {
         assert!(first.used.alpha_twist < 2e-4 && (first.used.beta_twist - 0.25).abs() < 2e-4);
         assert!((last.used.alpha_twist - 0.125).abs() < 2e-6 && (last.used.beta_twist - 0.375).abs() < 2e-6);
         assert!(first.timoshenko.alpha_twist < -0.24);
-        // A short arm is nearly rigid, a long one has the factors of Euler and Bernoulli.
+        // A short arm is nearly rigid; a long one has the factors of the Euler–Bernoulli beam.
         let factors = |model: &Model| [model.alpha_twist, model.beta_twist, model.alpha_axial, model.beta_axial];
         for (used, model) in [(&first.used, &first.rigid), (&last.used, &last.euler_bernoulli)] {
             let off = factors(used).into_iter().zip(factors(model)).map(|(used, model)| (used - model).abs());
@@ -95,7 +95,7 @@ mod tests {
         assert_eq!((lambdas(0), lambdas(1), lambdas(2)), (vec![], vec![0.1], vec![0.1, 1000.0]));
     }
 
-    /// An arm as long as its cross is wide: bent, it is three times as stiff as stretched; shear makes that softer.
+    /// An arm as long as its cross is wide: it is three times as stiff in bending as in tension; shear makes it softer.
     #[test]
     fn a_short_arm_is_stiffer_when_it_is_bent() {
         let Models { timoshenko, euler_bernoulli, used, .. } = models(1.0);

@@ -1,4 +1,4 @@
-//! What both forms of β lose near 90°.
+//! The errors of both forms of β near 90°.
 
 use jointproof::Octuple;
 use jointproof::element::cardan::{CardanAngles, Triads, accurate, rotation, turned};
@@ -6,20 +6,20 @@ use jointproof::formula::value;
 use jointproof::number::scalar::abs;
 use nalgebra::Vector3;
 
-/// What both forms of β make of triads that are rotations rounded to doubles.
+/// The results of both forms of β for triads that are rotations rounded to doubles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct NearRightAngle {
     /// 90° − β, in radians.
     pub(crate) distance: f64,
-    /// The largest relative error of the arc sine, where it exists.
+    /// The largest relative error of the arc sine, if it exists.
     pub(crate) arc_sine: f64,
-    /// The share of the poses at which rounding made |e1a·e3b| > 1, so that there is no arc sine.
+    /// The fraction of the poses in which rounding made |e1a·e3b| > 1, so that there is no arc sine.
     pub(crate) rejected: f64,
     /// The largest relative error of the two-argument form.
     pub(crate) two_argument: f64,
 }
 
-/// Both forms of β at each of these distances from 90°, the worst of 64 poses: the figure of the book.
+/// The errors of both forms of β at each of these distances from 90°, the largest over 64 poses: the figure in the book.
 pub(crate) fn errors_near_right_angle(distances: &[f64]) -> Vec<NearRightAngle> {
     distances.iter().map(|&distance| errors_at(distance)).collect()
 }
@@ -40,13 +40,13 @@ fn errors_at(distance: f64) -> NearRightAngle {
     worst
 }
 
-/// Eight α by eight γ, all around.
+/// Eight α by eight γ, over the full circle.
 fn poses(beta: Octuple) -> impl Iterator<Item = [Octuple; 3]> {
     let turns = (0..8).map(|k| Octuple::from(-2.75) + f64::from(k) * 0.75);
     turns.clone().flat_map(move |alpha| turns.clone().map(move |gamma| [alpha, beta, gamma]))
 }
 
-/// Triads that stand at these angles to one another, neither along the global axes, every component rounded once.
+/// Triads with these angles relative to each other, neither along the global axes, every component rounded once.
 fn rounded_triads([alpha, beta, gamma]: [Octuple; 3]) -> Triads<f64> {
     let global = [Vector3::x(), Vector3::y(), Vector3::z()];
     let a = turned(&global, &rotation(alpha, gamma * 0.25, gamma - alpha));
@@ -67,7 +67,7 @@ mod tests {
         assert_eq!(all, expected.collect::<Vec<_>>());
     }
 
-    /// Far from 90° both forms keep all digits; at 90° up to rounding, the arc sine has half of them or none.
+    /// Far from 90° both forms keep all digits; very close to 90° the arc sine keeps half of them or none.
     #[test]
     fn the_arc_sine_loses_half_of_the_digits_and_then_all() {
         let [far, near] = [0.5, 1e-9].map(errors_at);
@@ -75,7 +75,7 @@ mod tests {
         assert!(far.arc_sine > 0.0 && far.arc_sine < 1e-15, "{far:?}");
         assert!(far.two_argument > 0.0 && far.two_argument < 1e-15, "{far:?}");
         assert!(near.arc_sine > 1e-9 && near.arc_sine < 1e-7 && near.two_argument < 1e-15, "{near:?}");
-        // Rounding makes more than 1 of about every other sine.
+        // Rounding makes about every other sine exceed 1.
         assert_eq!(near.rejected, 31.0 / 64.0);
     }
 }

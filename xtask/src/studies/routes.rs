@@ -1,4 +1,4 @@
-//! The errors of both routes, documented and direct, where a line is hard: near the x axis, short, far away, with m far out.
+//! The errors of both routes, documented and direct, for difficult lines: near the x axis, short, far away, or with m far out.
 
 use jointproof::Octuple;
 use jointproof::connector::slider::{Eliminate, Increment, KeptCoordinate, KeptIncrement, Pivots, documented};
@@ -6,27 +6,27 @@ use jointproof::formula::{Fields, Formula};
 use jointproof::toolkit::verify::exactly;
 use nalgebra::Vector3;
 
-/// A line, and where m is on it. Every number is used as it is, so that the results are the same on every machine.
+/// A line, and the position of m on it. Every number is used as given, so that the results are the same on every machine.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Setting {
     /// The tangent of the angle between the line and the x axis; 0 for a line along it.
     pub(crate) tilt: f64,
     /// The extent of the line along the x axis.
     pub(crate) length: f64,
-    /// The share ξ of m in the way from node 1 to node n.
+    /// The position ξ of m between node 1 and node n.
     pub(crate) share: f64,
-    /// The coordinates of node 1, in size.
+    /// The size of the coordinates of node 1.
     pub(crate) offset: f64,
 }
 
-/// An ordinary line: as steep as it is long, one unit from the origin.
+/// An ordinary line: at 45° to the x axis, of unit extent, one unit from the origin.
 impl Default for Setting {
     fn default() -> Self {
         Self { tilt: 1.0, length: 1.0, share: 0.5, offset: 1.0 }
     }
 }
 
-/// The largest errors found on either route.
+/// The largest errors of the two routes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct RouteErrors {
     /// Through t1, t2 and the system of two equations ([`documented`]).
@@ -36,9 +36,9 @@ pub(crate) struct RouteErrors {
 }
 
 impl Setting {
-    /// The largest errors of the increments of m at 64 lines and motions, relative to the largest component of that
-    /// increment. What is exact is [`Increment`] in 237 bits, at the same doubles: positions of m are rounded, so that it is off
-    /// the line by a rounding, as in any program.
+    /// The largest errors of the increments of m for 64 lines and motions, relative to the largest component of that
+    /// increment. The exact result is [`Increment`] in 237 bits, for the same doubles: positions of m are rounded, so
+    /// that m is off the line by a rounding error, as in any program.
     pub(crate) fn increment_errors(&self) -> RouteErrors {
         self.worst(|i| {
             let exact = Increment::eval(&exactly::<Increment>(i)).components();
@@ -46,7 +46,7 @@ impl Setting {
         })
     }
 
-    /// The largest errors of the place of m at the same lines, relative to its largest coordinate.
+    /// The largest errors of the position of m for the same lines, relative to its largest coordinate.
     pub(crate) fn eliminate_errors(&self) -> RouteErrors {
         self.worst(|i| {
             let kept = KeptCoordinate { x1: i.x1, xn: i.xn, xmk: i.xm[Pivots::new(&i.x1, &i.xn).k] };
@@ -62,7 +62,7 @@ impl Setting {
         RouteErrors { documented, direct }
     }
 
-    /// Four lines about the x axis, four motions, four places of m.
+    /// Four lines about the x axis, four motions, four positions of m.
     pub(crate) fn scenes(&self) -> Vec<KeptIncrement<f64>> {
         let x1 = Vector3::new(0.3, -0.7, 0.9) * self.offset;
         let lines = [[1.0, 0.6, 0.8], [-1.0, 0.96, -0.28], [1.0, -0.8, 0.6], [-1.0, -0.28, -0.96]];
@@ -86,7 +86,7 @@ impl Setting {
     }
 }
 
-/// The largest error of a component, relative to the largest component, the kept one among them.
+/// The largest error of a component, relative to the largest component, including the kept one.
 fn error(found: &[f64], exact: &[Octuple], kept: f64) -> f64 {
     let size = exact.iter().fold(kept.abs(), |size, x| size.max(x.to_f64().abs()));
     let errors = found.iter().zip(exact).map(|(&found, &exact)| (exact - found).to_f64().abs());
@@ -108,7 +108,7 @@ mod tests {
         assert_eq!(Setting::default(), Setting { tilt: 1.0, length: 1.0, share: 0.5, offset: 1.0 });
     }
 
-    /// Two lines forwards and two backwards, each in a quarter of its own, from one point.
+    /// Two lines forwards and two backwards from one point, each in a separate quadrant.
     #[test]
     fn lines_go_from_one_point_into_all_quarters() {
         let scenes = SETTING.scenes();
@@ -123,7 +123,7 @@ mod tests {
         }
     }
 
-    /// Of all together, of either end alone, and of the node on the line less than of the ends.
+    /// Of all nodes together, of either end alone, and of the node on the line less than of the ends.
     #[test]
     fn every_line_is_moved_in_four_ways() {
         let motions = [

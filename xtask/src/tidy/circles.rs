@@ -1,4 +1,4 @@
-//! No circle of uses, between files or between folders.
+//! Finds cyclic dependencies between files or folders.
 
 use super::edges::{Edges, Place};
 use super::finding::Finding;
@@ -6,17 +6,17 @@ use super::graph::{Graph, Tangle};
 use super::tree::Tree;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// What is in circles.
+/// The cyclic dependencies.
 pub(super) struct Circles {
-    /// One finding for each set of files or folders that use one another.
+    /// One finding for each set of mutually dependent files or folders.
     pub(super) findings: Vec<Finding>,
-    /// The number of those sets of files.
+    /// The number of those sets consisting of files.
     pub(super) of_files: usize,
-    /// The number of those sets in which there is a folder.
+    /// The number of those sets containing a folder.
     pub(super) of_folders: usize,
 }
 
-/// Looks for circles.
+/// Finds cyclic dependencies.
 pub(super) fn circles(tree: &Tree, edges: &Edges) -> Circles {
     let path = |file: usize| tree.sources[file].path.as_str();
     let uses: Uses<'_> =
@@ -30,16 +30,16 @@ pub(super) fn circles(tree: &Tree, edges: &Edges) -> Circles {
     Circles { of_folders: findings.len() - of_files, of_files, findings }
 }
 
-/// Between two nodes, the place of one use, and its file.
+/// For pairs of nodes, one use and its file.
 type Uses<'a> = BTreeMap<(&'a str, &'a str), (&'a str, &'a Place)>;
 
 fn tangles<'a>(uses: &Uses<'a>) -> Vec<Tangle<&'a str>> {
     Graph::new(uses.keys().copied()).tangles()
 }
 
-/// The uses between what is side by side in each folder: its files, and its folders as wholes.
+/// The uses between the entries of each folder: its files, and its folders taken as a whole.
 ///
-/// A use counts once, in the folder in which the ways to both files part. A folder's name ends in `/`.
+/// A use counts once, in the folder where the paths to both files diverge. A folder's name ends in `/`.
 fn levels<'a>(uses: &Uses<'a>) -> BTreeMap<&'a str, Uses<'a>> {
     let folders: BTreeSet<&str> = uses.keys().flat_map(|&(from, to)| [from, to]).flat_map(folders_of).collect();
     let mut levels = BTreeMap::<_, Uses<'_>>::new();
@@ -63,7 +63,7 @@ fn way<'a>(file: &'a str, folders: &BTreeSet<&'a str>) -> Vec<&'a str> {
     folders_of(file).chain(own.copied()).chain([file]).collect()
 }
 
-/// A tangle and its circles, with a place for each use in them.
+/// A set of mutually dependent nodes and its cycles, with a location for each use in them.
 fn finding(what: &str, tangle: &Tangle<&str>, uses: &Uses<'_>) -> Finding {
     let mut details = Vec::new();
     for circle in &tangle.circles {

@@ -1,18 +1,18 @@
-//! Which file uses which, and where it says so.
+//! Which file uses which, and where.
 
 use super::import::Known;
 use super::tree::{FileId, Module, Tree};
 use std::collections::BTreeMap;
 
-/// For every file and another that it uses, one place where it does.
+/// For every file and another that it uses, one location of a use.
 pub(super) type Edges = BTreeMap<(FileId, FileId), Place>;
 
-/// A place where a file names something of another.
+/// A location where a file names an item of another.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Place {
     /// Its line.
     pub(super) line: usize,
-    /// What stands there.
+    /// The text there.
     pub(super) text: String,
 }
 
@@ -29,7 +29,7 @@ pub(super) fn edges(tree: &Tree) -> Edges {
     edges
 }
 
-/// What a module names. What it only re-exports it does not use.
+/// The names that a module uses. Mere re-exports do not count as uses.
 fn named(module: &Module) -> impl Iterator<Item = (Vec<String>, Place)> {
     let imports = module.imports.iter().filter(|import| !import.is_public || import.known == Known::Nameless);
     let imports = imports.map(|import| (import.path.clone(), Place { line: import.line, text: import.shown() }));

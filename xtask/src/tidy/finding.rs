@@ -1,22 +1,22 @@
-//! What is found, and how it is said.
+//! Findings, and their wording.
 
 use std::fmt::{Display, Formatter, Result};
 
-/// Something to be mended. The order of findings is that of their places.
+/// A fault to be fixed. Findings are ordered by location.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Finding {
     /// The file, from the root of the workspace.
     pub(super) file: String,
-    /// The line, from 1; 0 where the whole file is meant.
+    /// The line, from 1; 0 for the whole file.
     pub(super) line: usize,
     /// What is wrong; what to do.
     pub(super) what: String,
-    /// Lines below it that show more.
+    /// Additional lines with details.
     pub(super) details: Vec<String>,
 }
 
 impl Finding {
-    /// A finding that needs no more than its line.
+    /// A finding without details.
     pub(super) fn new(file: impl Into<String>, line: usize, what: impl Into<String>) -> Self {
         Self { file: file.into(), line, what: what.into(), details: Vec::new() }
     }

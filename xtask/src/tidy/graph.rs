@@ -1,24 +1,24 @@
-//! Directed graphs: which nodes stand in circles, and the shortest of these.
+//! Directed graphs: which nodes are on cycles, and the shortest cycles.
 
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
-/// For every node those that it uses.
+/// For every node, the nodes it uses.
 #[derive(Debug, Clone)]
 pub(super) struct Graph<N> {
     uses: BTreeMap<N, BTreeSet<N>>,
 }
 
-/// Nodes that all use one another, directly or not.
+/// Nodes that all depend on one another, directly or indirectly.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) struct Tangle<N> {
     /// The nodes.
     pub(super) nodes: BTreeSet<N>,
-    /// For each use among them the shortest circle through it, the shortest first. The last node uses the first.
+    /// The shortest cycle through each use among them, the shortest first. The last node uses the first.
     pub(super) circles: Vec<Vec<N>>,
 }
 
 impl<N: Copy + Ord> Graph<N> {
-    /// The graph of these uses. What uses itself is no circle.
+    /// The graph of these uses. A node that uses itself is no cycle.
     pub(super) fn new(edges: impl IntoIterator<Item = (N, N)>) -> Self {
         let mut uses = BTreeMap::<N, BTreeSet<N>>::new();
         for (from, to) in edges.into_iter().filter(|(from, to)| from != to) {
@@ -27,7 +27,7 @@ impl<N: Copy + Ord> Graph<N> {
         Self { uses }
     }
 
-    /// The graph without what uses nothing or is used by nothing, again and again. Without circles nothing stays.
+    /// Repeatedly removes nodes that use nothing or are used by nothing. Without cycles nothing is left.
     fn core(&self) -> Self {
         let mut uses = self.uses.clone();
         loop {
@@ -45,7 +45,7 @@ impl<N: Copy + Ord> Graph<N> {
         }
     }
 
-    /// Every tangle, the smallest first.
+    /// Every set of mutually dependent nodes, the smallest first.
     pub(super) fn tangles(&self) -> Vec<Tangle<N>> {
         let core = self.core();
         let mut tangles: Vec<Tangle<N>> = Vec::new();
@@ -65,7 +65,7 @@ impl<N: Copy + Ord> Graph<N> {
         tangles
     }
 
-    /// The shortest circle through the use of `to` by `from`, beginning at its least node.
+    /// The shortest cycle through the use of `to` by `from`, starting at its least node.
     fn circle(&self, from: N, to: N) -> Option<Vec<N>> {
         let mut back = self.way(to, from)?;
         let (least, _) = back.iter().enumerate().min_by_key(|(_, node)| **node)?;
@@ -73,7 +73,7 @@ impl<N: Copy + Ord> Graph<N> {
         Some(back)
     }
 
-    /// The nodes that `node` leads to and that lead to it.
+    /// The nodes that can be reached from `node` and from which it can be reached.
     fn around(&self, node: N) -> BTreeSet<N> {
         self.uses
             .keys()
@@ -82,7 +82,7 @@ impl<N: Copy + Ord> Graph<N> {
             .collect()
     }
 
-    /// The shortest way, both ends included.
+    /// The shortest path, including both ends.
     fn way(&self, from: N, to: N) -> Option<Vec<N>> {
         let mut came_from = BTreeMap::from([(from, from)]);
         let mut open = VecDeque::from([from]);

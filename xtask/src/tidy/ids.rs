@@ -1,10 +1,10 @@
-//! Identifiers of formulas are taken from `SPEC.id`. Elsewhere in code they are not typed; in tests and documentation they may be.
+//! Identifiers of formulas are taken from `SPEC.id`. They are not typed elsewhere in code, except in tests and documentation.
 
 use super::finding::Finding;
 use super::tree::Tree;
 use std::collections::BTreeMap;
 
-/// Every string that is an identifier of a formula, or looks like one of a family that there is.
+/// Every string that is the identifier of a formula, or looks like one of an existing family.
 pub(super) fn typed(tree: &Tree) -> Vec<Finding> {
     let owners: BTreeMap<&str, &str> = owners(tree).collect();
     let finding = |file: usize, id: &str, line: usize| {
@@ -30,7 +30,7 @@ fn owners(tree: &Tree) -> impl Iterator<Item = (&str, &str)> {
     })
 }
 
-/// The family of what looks like an identifier: `slot` of `slot.contact_force`.
+/// The family of a string that looks like an identifier: `slot` of `slot.contact_force`.
 fn family(text: &str) -> Option<&str> {
     let (family, name) = text.split_once('.')?;
     let is_word = |text: &str, others: fn(char) -> bool| {

@@ -1,13 +1,13 @@
-//! One `use`, taken apart: `use a::{b as c, d::*};` is two imports.
+//! One `use`, split into imports: `use a::{b as c, d::*};` is two imports.
 
 use syn::{ItemUse, UseTree, Visibility};
 
-/// Under which name an import is known.
+/// The name of an import.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum Known {
-    /// Its own, or the one behind `as`.
+    /// Its own, or the one after `as`.
     As(String),
-    /// `as _`: a trait whose methods are wanted.
+    /// `as _`: a trait imported for its methods.
     Nameless,
     /// `*`.
     Glob,
@@ -20,7 +20,7 @@ pub(super) struct Import {
     pub(super) path: Vec<String>,
     /// The name it gets.
     pub(super) known: Known,
-    /// Whether others may import it from here: it is then a re-export.
+    /// Whether other modules may import it from here, so that it is a re-export.
     pub(super) is_public: bool,
     /// Its line.
     pub(super) line: usize,
@@ -35,7 +35,7 @@ impl Import {
         imports
     }
 
-    /// As one would write it alone.
+    /// The import written as a single `use`.
     pub(super) fn shown(&self) -> String {
         let path = self.path.join("::");
         match &self.known {
@@ -86,7 +86,7 @@ mod tests {
             shown("use a::{b::{C, D as E}, f, g::*, H as _};"),
             ["use a::b::C", "use a::b::D as E", "use a::f", "use a::g::*", "use a::H as _"]
         );
-        // A module itself is known by its name, whatever it is in.
+        // The module itself is imported under its own name.
         assert_eq!(
             shown("use crate::y::{self, self as z, Y};"),
             ["use crate::y", "use crate::y as z", "use crate::y::Y"]

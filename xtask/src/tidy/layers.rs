@@ -1,4 +1,4 @@
-//! Which layer may use which. The lower know nothing of the higher, and formulas nothing of what is said about them.
+//! Which layer may use which. Lower layers know nothing of higher ones, and formulas nothing of their evidence.
 
 use super::edges::{Edges, Place};
 use super::finding::Finding;
@@ -10,7 +10,7 @@ use std::collections::BTreeSet;
 enum Layer {
     /// Numbers, quantities, errors.
     Ground,
-    /// What a formula is.
+    /// The definition of a formula.
     Formula,
     /// What connectors are made of: nodes, frames, angles, blocks.
     Element,
@@ -18,9 +18,9 @@ enum Layer {
     Contact,
     /// The connectors.
     Connector,
-    /// The vocabulary of evidence: cases, kinks, laws, other ways.
+    /// The vocabulary of evidence: cases, kinks, laws, alternative methods.
     Proof,
-    /// What proves and measures a formula.
+    /// Verification and measurement of formulas.
     Toolkit,
     /// Every formula by identifier.
     Catalog,
@@ -62,7 +62,7 @@ const FORMULAS: [Layer; 3] = [Layer::Element, Layer::Contact, Layer::Connector];
 struct Forbidden {
     from: &'static [Layer],
     to: &'static [Layer],
-    /// What is wrong with it, and what to do.
+    /// The reason, and what to do.
     why: &'static str,
 }
 
@@ -127,7 +127,7 @@ const FORBIDDEN: &[Forbidden] = &[
     },
 ];
 
-/// Every edge that crosses the layers the wrong way.
+/// Every use that violates the order of layers.
 pub(super) fn crossed(tree: &Tree, edges: &Edges) -> Vec<Finding> {
     let evidence = evidence(tree);
     let findings = edges.iter().filter_map(|(&(from, to), Place { line, text })| {
@@ -147,22 +147,22 @@ pub(super) fn crossed(tree: &Tree, edges: &Edges) -> Vec<Finding> {
     findings.collect()
 }
 
-/// The layer of a file; `lib.rs`, which only lists the modules, and files of other crates have none.
+/// The layer of a file; `None` for `lib.rs`, which only lists the modules, and for files of other crates.
 fn layer(path: &str) -> Option<Layer> {
     let path = path.strip_prefix("src/").filter(|path| *path != "lib.rs")?;
     Some(Layer::of(path))
 }
 
-/// What a file of the library is for the evidence of formulas.
+/// The role of a library file for the evidence of formulas.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Part {
     /// Formulas and connectors.
     Room,
-    /// What all formulas have in common.
+    /// Code common to all formulas.
     Common,
 }
 
-/// Of a file of the library; `None` for what knows formulas and is not known by them.
+/// The role of a library file; `None` for code that depends on formulas and on which they do not depend.
 pub(super) fn part(path: &str) -> Option<Part> {
     match layer(path)? {
         Layer::Element | Layer::Contact | Layer::Connector => Some(Part::Room),
@@ -173,7 +173,7 @@ pub(super) fn part(path: &str) -> Option<Part> {
     }
 }
 
-/// The files without a formula that prove one, or that are there only where formulas are proved.
+/// The files without a formula that prove one, or that are compiled only for evidence.
 fn evidence(tree: &Tree) -> BTreeSet<usize> {
     let gated = tree.modules.iter().filter(|module| module.is_proof).map(|module| module.file);
     let proving = tree.sources.iter().enumerate().filter(|(_, source)| source.proves).map(|(file, _)| file);

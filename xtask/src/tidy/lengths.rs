@@ -1,4 +1,4 @@
-//! A file is read in one sitting.
+//! Files are short enough to be read in one sitting.
 
 use super::finding::Finding;
 use super::tree::{Tree, texts_below};
@@ -8,16 +8,16 @@ use std::path::Path;
 /// The most lines that a file may have.
 const MOST: usize = 500;
 
-/// Below this is the median of the files with formulas. `None` until the evidence has moved out of them: then 150.
+/// The upper bound of the median length of files with formulas; `None` if it is not limited.
 const MEDIAN_BELOW: Option<usize> = Some(150);
 
-/// Every file of a member of the workspace that is too long, and the number of files looked at.
+/// Every file of a workspace member that is too long, and the number of files checked.
 pub(super) fn too_long(root: &Path, tree: &Tree) -> anyhow::Result<(Vec<Finding>, usize)> {
     let mut texts = Vec::new();
     for folder in ["src", "tests"].into_iter().chain(tree.members.iter().map(String::as_str)) {
         texts_below(root, folder, &mut texts)?;
     }
-    // A member may lie within another.
+    // A member may be nested in another.
     let lengths: BTreeMap<_, _> = texts.iter().map(|(path, text)| (path, text.lines().count())).collect();
     let finding = |(path, lines): (&&String, &usize)| {
         Finding::new(*path, 0, format!("{lines} lines, allowed are {MOST}; divide it by what it is about"))
@@ -33,13 +33,13 @@ pub(super) fn median(tree: &Tree) -> (usize, usize) {
     (lengths.len(), middle(lengths))
 }
 
-/// What as many are above as below; of two in the middle the larger. 0 where there is none.
+/// The median, the larger one of two middle values; 0 if there are none.
 fn middle(mut lengths: Vec<usize>) -> usize {
     lengths.sort_unstable();
     lengths.get(lengths.len() / 2).copied().unwrap_or(0)
 }
 
-/// That the median is too great, if it is bounded.
+/// A finding if the median is limited and too large.
 pub(super) fn median_too_long(median: usize) -> Option<Finding> {
     over(median, MEDIAN_BELOW)
 }

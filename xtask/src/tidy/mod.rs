@@ -1,16 +1,16 @@
-//! `cargo xtask tidy`: what a machine can hold about the sources.
+//! `cargo xtask tidy`: rules about the sources that a machine can check.
 //!
 //! # Uses
-//! A file uses another if it names something that the other defines: in a `use`, in a path within code, or by a bare name
-//! that a glob or its own re-export brought. Re-exports are followed to the file that defines. To re-export is not to use;
-//! neither is `mod`. Tests, attributes, documentation and the bodies of `macro_rules!` do not count, calls of macros do.
-//! A method or trait that is never named is not seen.
+//! A file uses another if it names an item defined there: in a `use`, in a path within code, or by a bare name that
+//! comes from a glob or from its own re-export. Re-exports are followed to the defining file. Neither a re-export nor
+//! `mod` is a use. Tests, attributes, documentation and the bodies of `macro_rules!` do not count, calls of macros do.
+//! Methods and traits that are never named are not detected.
 //!
 //! # Circles
-//! None between files. None between what is side by side in a folder either: its files and its folders, each folder with
-//! all that is below it taken as one (`a.rs` belongs to the folder `a/`). So every use counts once, in the folder in which
-//! the ways to both files part. To take a folder's own files together as one would be too strict: some are what its folders
-//! are made from, others what is made of these.
+//! There are none between files, nor between the entries of a folder: its files and its folders, each folder taken as
+//! a whole (`a.rs` belongs to the folder `a/`). So every use counts once, in the folder where the paths to both files
+//! diverge. Treating a folder's own files as one unit would be too strict: its folders are built on some of them, and
+//! others are built on its folders.
 
 mod circles;
 mod edges;
@@ -83,17 +83,17 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     Ok(if tidiness.findings.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
 
-/// How the sources are.
+/// The result of the checks.
 #[derive(Debug)]
 struct Tidiness {
-    /// What is to be mended, by place.
+    /// The faults, by location.
     findings: Vec<Finding>,
-    /// What was looked at, in a line.
+    /// A one-line summary of what was checked.
     counts: String,
 }
 
 impl Tidiness {
-    /// All findings, then the verdict in a line.
+    /// All findings, then a one-line verdict.
     fn text(&self) -> String {
         let Self { findings, counts } = self;
         let lines = findings.iter().map(ToString::to_string);
@@ -103,7 +103,8 @@ impl Tidiness {
     }
 }
 
-/// Checks the workspace at `root` by these rules, or by all if none is named. `formulas` are the identifiers of the catalog.
+/// Checks the workspace at `root` by these rules, or by all rules if none is named. `formulas` are the identifiers of
+/// the catalog.
 fn check(root: &Path, formulas: &[&str], rules: &[Rule]) -> anyhow::Result<Tidiness> {
     let mut tree = Tree::read(root)?;
     let mut findings = std::mem::take(&mut tree.faults);

@@ -1,13 +1,13 @@
-//! No test is forgotten: a file that no program of tests names is never compiled.
+//! Finds forgotten tests: a test file that no test program names is never compiled.
 
 use super::finding::Finding;
 use super::tree::{Tree, manifest, texts_below};
 use std::path::Path;
 
-/// The program to which tests belong, where they are in one.
+/// The test program that contains the tests, if there is a single one.
 const ALL: &str = "all";
 
-/// Every file beside the program of all tests that it does not name, and that is no program itself.
+/// Every file next to the common test program that it does not name and that is not a test program itself.
 pub(super) fn forgotten(root: &Path, tree: &Tree) -> anyhow::Result<Vec<Finding>> {
     let mut findings = Vec::new();
     for member in ["."].into_iter().chain(tree.members.iter().map(String::as_str)) {

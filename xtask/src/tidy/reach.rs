@@ -1,7 +1,8 @@
-//! On which files the evidence of every formula rests.
+//! The files on which the evidence of every formula depends.
 //!
-//! In the rooms these are the file of the formula, the files that prove it, and all that these use, directly or not. What is
-//! below and beside the rooms, numbers and toolkit, all formulas rest on: traits are not named where they are used.
+//! In the modules of formula families these are the file of the formula, the files that prove it, and everything these
+//! use, directly or indirectly. All formulas depend on the code outside these modules, numbers and toolkit, because
+//! traits are not named where they are used.
 
 use super::edges::edges;
 use super::layers::{Part, part};
@@ -10,7 +11,7 @@ use kit::Project;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 
-/// For every formula of the catalog the files from the root of the project.
+/// For every formula of the catalog, the files, as paths from the root of the project.
 pub(crate) fn reach(project: &Project) -> anyhow::Result<BTreeMap<String, Vec<PathBuf>>> {
     let tree = Tree::library(project.root())?;
     let mut uses = BTreeMap::<FileId, BTreeSet<FileId>>::new();
@@ -28,7 +29,7 @@ pub(crate) fn reach(project: &Project) -> anyhow::Result<BTreeMap<String, Vec<Pa
             specs.into_iter().any(|(text, _)| text == id)
         };
         let Some(&own) = rooms.iter().find(defines) else {
-            // A macro defines it: it may rest on anything.
+            // It is defined by a macro, so it may depend on anything.
             return rooms.union(&common).copied().collect();
         };
         let proves =
@@ -136,7 +137,7 @@ mod tests {
             of("slot.contact_force"),
             sorted(&[&["Cargo.lock", "golden/slot.contact_force.json"], &common, &own])
         );
-        // No file defines the other one: it may rest on all rooms.
+        // No file defines the other formula, so it may depend on all families.
         let rooms = ["src/another.rs", "src/other.rs", "src/slot.rs"];
         assert_eq!(of("slot.friction"), sorted(&[&["Cargo.lock", "golden/slot.friction.json"], &common, &own, &rooms]));
         assert_eq!(reached.len(), 2);

@@ -1,14 +1,14 @@
-//! Which file defines what a path names.
+//! Finds the file that defines what a path names.
 
 use super::import::{Import, Known};
 use super::tree::{FileId, Module, ModuleId, Tree};
 use std::collections::BTreeSet;
 
 impl Tree {
-    /// The files that `path`, written in the module `from`, leads to: those that define what it names.
+    /// The files that define what `path`, written in the module `from`, names.
     ///
-    /// Re-exports are followed. A path to a module leads nowhere, since it is what is taken from the module that counts;
-    /// so does a path out of the workspace. A name may stand for several things, as a function and a module do.
+    /// Re-exports are followed. A path to a module has no definition, since only what is used from the module counts;
+    /// neither has a path out of the workspace. A name may denote several items, such as a function and a module.
     pub(super) fn definitions(&self, from: ModuleId, path: &[String]) -> BTreeSet<FileId> {
         let targets = self.path(from, path, &mut Vec::new());
         targets
@@ -25,7 +25,7 @@ impl Tree {
             (None, name) => self.first(from, name, trail),
         };
         for segment in rest {
-            // What has something in it is a module, unless there is only a type of this name.
+            // If further segments follow, it is a module, unless there is only a type with this name.
             if here.iter().any(|target| matches!(target, Target::Module(_))) {
                 here.retain(|target| matches!(target, Target::Module(_)));
             }
@@ -57,7 +57,7 @@ impl Tree {
         if found.is_empty() { library() } else { found }
     }
 
-    /// What `name` stands for in a module: what it defines, what it imports, and else what its globs bring.
+    /// What `name` denotes in a module: its definitions, its imports, or else what its globs provide.
     fn name(&self, module: ModuleId, name: &str, trail: &mut Trail) -> Vec<Target> {
         let Module { file, children, items, macros, imports, .. } = &self.modules[module];
         let mut found: Vec<Target> = children.get(name).map(|&child| Target::Module(child)).into_iter().collect();
@@ -81,15 +81,15 @@ impl Tree {
     }
 }
 
-/// What a name stands for.
+/// What a name denotes.
 #[derive(Debug, Clone, Copy)]
 enum Target {
     Module(ModuleId),
-    /// Something that this file defines.
+    /// An item defined by this file.
     Item(FileId),
 }
 
-/// The imports that are being followed: none is followed into itself.
+/// The imports being followed; none is followed recursively.
 type Trail = Vec<(ModuleId, usize)>;
 
 fn trail_through(

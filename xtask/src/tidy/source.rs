@@ -1,4 +1,4 @@
-//! One file, read with `syn`: what it defines, imports and names. Tests are left out.
+//! One file, parsed with `syn`: what it defines, imports and names, without tests.
 
 use super::finding::Finding;
 use super::import::Import;
@@ -15,7 +15,7 @@ pub(super) struct Source {
     pub(super) path: String,
     /// The number of its lines.
     pub(super) lines: usize,
-    /// What stands in it.
+    /// Its content.
     pub(super) scope: Scope,
     /// Its `impl Formula for …`.
     pub(super) formulas: Vec<FormulaImpl>,
@@ -26,15 +26,15 @@ pub(super) struct Source {
 /// A module: a file, or `mod … { … }` within one.
 #[derive(Debug, Default)]
 pub(super) struct Scope {
-    /// What it defines.
+    /// The names it defines.
     pub(super) items: BTreeSet<String>,
-    /// The macros that it puts at the root of the crate.
+    /// The macros that it exports at the root of the crate.
     pub(super) exported: Vec<String>,
     /// Its imports and re-exports.
     pub(super) imports: Vec<Import>,
     /// Its modules.
     pub(super) children: Vec<Child>,
-    /// What its code names.
+    /// The names used in its code.
     pub(super) words: Words,
 }
 
@@ -43,9 +43,9 @@ pub(super) struct Scope {
 pub(super) struct Child {
     /// Its name.
     pub(super) name: String,
-    /// The features of which it needs one.
+    /// The features of which at least one is required.
     pub(super) features: Vec<String>,
-    /// What is in its braces, unless it is a file.
+    /// The content of its braces, unless it is a file.
     pub(super) scope: Option<Scope>,
 }
 
@@ -56,7 +56,7 @@ pub(super) struct FormulaImpl {
     pub(super) name: String,
     /// The strings in `const SPEC`, of which one is the id.
     pub(super) spec: Vec<(String, usize)>,
-    /// Its functions: name, line, and whether an `#[inline]` stands on it.
+    /// Its functions: name, line, and whether it has `#[inline]`.
     pub(super) functions: Vec<(String, usize, bool)>,
 }
 
@@ -64,7 +64,7 @@ impl Source {
     /// Reads a file.
     ///
     /// # Errors
-    /// That it is not Rust, and where.
+    /// The location of the syntax error, if it is not Rust.
     pub(super) fn read(path: String, text: &str) -> Result<Self, Finding> {
         let file = syn::parse_file(text).map_err(|error| {
             let line = error.span().start().line;
@@ -125,7 +125,7 @@ impl Scope {
 }
 
 impl FormulaImpl {
-    /// Reads an `impl Formula for …`, and takes its `SPEC` out of it, whose strings are its own.
+    /// Reads an `impl Formula for …`, and removes its `SPEC`, whose strings are its own.
     fn take(item: &mut ItemImpl, words: &mut Words) -> Self {
         let name = item.self_ty.to_token_stream().to_string();
         let (mut spec, mut functions) = (Words::default(), Vec::new());
@@ -148,8 +148,8 @@ impl FormulaImpl {
     }
 }
 
-/// The names that a macro call defines: behind `struct`, `fn`, …, or at the start of a row, as in a table that a macro
-/// makes constants from.
+/// The names that a macro call defines: after `struct`, `fn`, …, or at the start of a row, as in a table from which a
+/// macro generates constants.
 fn defined_by(tokens: TokenStream) -> Vec<String> {
     const KEYWORDS: [&str; 9] = ["pub", "struct", "enum", "union", "fn", "trait", "type", "const", "static"];
     let mut names = Vec::new();
@@ -165,14 +165,14 @@ fn defined_by(tokens: TokenStream) -> Vec<String> {
     names
 }
 
-/// Whether what has these attributes is there only for tests.
+/// Whether an item with these attributes exists only for tests.
 fn is_test(attributes: &[Attribute]) -> bool {
     attributes.iter().any(|attribute| {
         attribute.path().is_ident("test") || condition(attribute).is_some_and(|meta| wants_test(&meta))
     })
 }
 
-/// What is in `#[cfg(…)]`.
+/// The condition in `#[cfg(…)]`.
 fn condition(attribute: &Attribute) -> Option<Meta> {
     attribute.path().is_ident("cfg").then(|| attribute.parse_args().ok())?
 }
@@ -185,7 +185,7 @@ fn wants_test(condition: &Meta) -> bool {
     }
 }
 
-/// The features named in a condition, but not behind `not`.
+/// The features named in a condition, except within `not`.
 fn features(condition: &Meta) -> Vec<String> {
     match condition {
         Meta::NameValue(pair) if pair.path.is_ident("feature") => {
@@ -287,7 +287,7 @@ mod tests {
         assert_eq!((name.as_str(), spec.as_slice()), ("One", &[("a.one".to_owned(), 2)][..]));
         assert_eq!(functions, &[("eval".to_owned(), 7, true), ("jacobian".to_owned(), 9, false)]);
         assert!(source.proves);
-        // The identifier is not typed: it is declared here.
+        // The identifier is not typed by hand but declared here.
         assert!(source.scope.words.strings.is_empty());
         let paths = paths(&source.scope.words);
         for path in ["Spec::new", "a::of", "a::two", "a::Three", "a::four", "crate::Formula", "a::Proved"] {

@@ -1,4 +1,4 @@
-//! Each rule finds what is planted, and nothing in a tree that is as it should be.
+//! Each rule finds what is planted, and nothing in a tidy tree.
 
 use super::*;
 use crate::console::plain;
@@ -7,7 +7,7 @@ use tempfile::TempDir;
 
 const IDS: [&str; 1] = ["a.one"];
 
-/// A room with one formula and its evidence, as it should be.
+/// A tidy family module with one formula and its evidence.
 const TIDY: [(&str, &str); 9] = [
     ("Cargo.toml", "[workspace]\nmembers = [\"tool\"]\n[package]\nname = \"lib-a\"\n"),
     (
@@ -31,7 +31,7 @@ const TIDY: [(&str, &str); 9] = [
     ("book/src/a.md", "# A\n\n{{#formula a.one}}\n\n`{{#formula a.two}}`\n"),
 ];
 
-/// The tree, with some files put in place of others or beside them.
+/// The tree, with some files replaced or added.
 fn planted(files: &[(&str, &str)]) -> TempDir {
     let root = tempfile::tempdir().unwrap();
     let manifest = ("tool/Cargo.toml", "[package]\nname = \"tool\"\n");
@@ -43,13 +43,13 @@ fn planted(files: &[(&str, &str)]) -> TempDir {
     root
 }
 
-/// What is found with these files.
+/// The findings with these files.
 fn found(files: &[(&str, &str)]) -> Vec<String> {
     let tidiness = check(planted(files).path(), &IDS, &[]).unwrap();
     tidiness.findings.iter().map(ToString::to_string).collect()
 }
 
-/// Every use between files, and what stands there.
+/// Every use between files, with the text there.
 fn uses(files: &[(&str, &str)]) -> Vec<String> {
     let root = planted(files);
     let tree = Tree::read(root.path()).unwrap();
@@ -59,7 +59,7 @@ fn uses(files: &[(&str, &str)]) -> Vec<String> {
     edges::edges(&tree).iter().map(shown).collect()
 }
 
-/// Asserts that there is one finding, and that it has all these parts.
+/// Asserts that there is one finding, which contains all these parts.
 #[track_caller]
 fn one(files: &[(&str, &str)], parts: &[&str]) {
     let found = found(files);
@@ -69,7 +69,7 @@ fn one(files: &[(&str, &str)], parts: &[&str]) {
     }
 }
 
-/// The room's file, with this before its last line.
+/// The formula's file, with this inserted before its last line.
 fn one_rs(more: &str) -> String {
     TIDY[4].1.replace("fn laws() {}", &format!("fn laws() {{}}\n{more}"))
 }
@@ -78,7 +78,7 @@ fn one_rs(more: &str) -> String {
 fn a_tree_as_it_should_be_is_clean() {
     let tidiness = check(planted(&[]).path(), &IDS, &[]).unwrap();
     assert_eq!(tidiness.findings, []);
-    // The formula, its evidence, verify and the tool use something; `a.rs` and `lib.rs` only pass it on.
+    // The formula, its evidence, verify and the tool use something; `a.rs` and `lib.rs` only re-export it.
     assert_eq!(
         tidiness.counts,
         "7 files, 5 uses, 0 circles of files, 0 with folders; 1 file with formulas, median 17 lines"
@@ -188,7 +188,7 @@ fn a_circle_between_folders_is_found_where_no_file_is_in_one() {
         ("src/q/mod.rs", "use crate::p::low::Low;\npub struct Q(Low);\n"),
     ];
     one(&files, &["2 folders or files use one another: src/p/, src/q/;", "src/p/high.rs:1: use crate::q::Q"]);
-    // The same within a folder, between its head and a folder in it.
+    // The same within a folder, between its parent file and a folder in it.
     let inner = [
         ("src/lib.rs", "mod p;\n"),
         ("src/p.rs", "mod c;\npub struct P;\nfn f() { c::low::g() }\n"),
@@ -219,7 +219,7 @@ fn circles_of_files_and_of_folders_are_counted_each() {
 fn a_name_leads_to_the_file_that_defines_it() {
     let main = ("tool/src/main.rs", "fn main() {}\n");
     let all = |files: &[(&str, &str)]| uses(&[&[main], files].concat());
-    // A function and a module of one name: what has something in it is the module.
+    // A function and a module with the same name: the one with items is the module.
     let twice = [
         ("src/lib.rs", "mod x;\nmod y;\n"),
         ("src/x.rs", "fn f() { crate::y::go() }\nuse crate::y::go::Z;\n"),
@@ -227,14 +227,14 @@ fn a_name_leads_to_the_file_that_defines_it() {
         ("src/y/go.rs", "pub struct Z;\n"),
     ];
     assert_eq!(all(&twice), ["src/x.rs → src/y.rs: crate::y::go", "src/x.rs → src/y/go.rs: use crate::y::go::Z"]);
-    // What is in a type is where the type is.
+    // Items of a type are defined where the type is.
     let within = [
         ("src/lib.rs", "mod x;\nmod y;\n"),
         ("src/x.rs", "fn f() { crate::y::Y::new() }\n"),
         ("src/y.rs", "pub struct Y;\n"),
     ];
     assert_eq!(all(&within), ["src/x.rs → src/y.rs: crate::y::Y::new"]);
-    // One glob may be gone through for each part of a path.
+    // One glob may be followed for each segment of a path.
     let again = [
         ("src/lib.rs", "mod inner;\nmod x;\npub use inner::*;\n"),
         ("src/inner.rs", "pub mod a;\npub struct T;\n"),
@@ -242,7 +242,7 @@ fn a_name_leads_to_the_file_that_defines_it() {
         ("src/x.rs", "use crate::a::T;\n"),
     ];
     assert_eq!(all(&again), ["src/x.rs → src/inner.rs: use crate::a::T"]);
-    // Globs that bring each other end, and what nobody defines leads nowhere.
+    // Globs that import each other terminate, and undefined names lead nowhere.
     let round =
         [("src/lib.rs", "mod x;\npub use x::*;\n"), ("src/x.rs", "use super::*;\nfn f() { Nowhere::new(Nothing) }\n")];
     assert_eq!(all(&round), [""; 0]);
@@ -277,7 +277,7 @@ fn a_typed_identifier_fails_with_what_to_write() {
         &["tool/src/main.rs:2: the identifier \"a.one\" is typed; write `One::SPEC.id`"],
     );
     one(&[("tool/src/main.rs", &main("a.on3"))], &["the identifier \"a.on3\" is typed; no formula is called so"]);
-    // Of the strings of a `SPEC`, that is the identifier which looks like one.
+    // Of the strings in a `SPEC`, the identifier is the one that looks like it.
     let titled = TIDY[4].1.replace("{ id:", "{ title: \"A.b\", id:");
     one(&[("src/a/one.rs", &titled), ("tool/src/main.rs", &main("a.one"))], &["is typed; write `One::SPEC.id`"]);
     for other in ["motion.x1", "a.Foo", "A.one", "a."] {
@@ -314,7 +314,7 @@ fn a_file_has_no_more_than_500_lines() {
     one(&[("tests/long.rs", &lines(501))], &["tests/long.rs: 501 lines, allowed are 500"]);
 }
 
-/// Each member has its own; what lies deeper belongs to a file that is named.
+/// Each member has its own test program; files in subfolders belong to a file that is named.
 #[test]
 fn a_file_of_tests_that_no_program_has_is_found() {
     let manifest =
@@ -334,7 +334,7 @@ fn a_file_of_tests_that_no_program_has_is_found() {
         let said = format!("{path}: no program has these tests; write `mod {name};` in {folder}/all.rs");
         assert_eq!(found(&[&named[..], &[(path, "")]].concat()), [said]);
     }
-    // Without a program of all each is one.
+    // Without a common test program, each file is a program.
     assert_eq!(found(&[("tests/sums.rs", ""), ("tests/roots.rs", "")]), Vec::<String>::new());
 }
 

@@ -16,19 +16,19 @@ pub(super) type FileId = usize;
 /// The index of a module in [`Tree::modules`].
 pub(super) type ModuleId = usize;
 
-/// Features behind which stands what is said about formulas.
+/// Features that enable the evidence of formulas.
 const PROOF: [&str; 2] = ["verify", "measure"];
 
-/// All modules of the workspace but tests.
+/// All modules of the workspace except tests.
 #[derive(Debug, Default)]
 pub(super) struct Tree {
-    /// The folders of the members beside the one at the root.
+    /// The folders of the members other than the one at the root.
     pub(super) members: Vec<String>,
-    /// The files, as they were found.
+    /// The files, in the order in which they were found.
     pub(super) sources: Vec<Source>,
     /// The modules.
     pub(super) modules: Vec<Module>,
-    /// The root modules of libraries, by the names of these.
+    /// The root modules of libraries, by the names of the libraries.
     pub(super) libraries: BTreeMap<String, ModuleId>,
     /// Files that cannot be read.
     pub(super) faults: Vec<Finding>,
@@ -37,23 +37,23 @@ pub(super) struct Tree {
 /// A module.
 #[derive(Debug, Default)]
 pub(super) struct Module {
-    /// The file in which it stands.
+    /// The file that contains it.
     pub(super) file: FileId,
     /// The module around it, unless it is a root.
     pub(super) parent: Option<ModuleId>,
     /// The root of its crate.
     pub(super) root: ModuleId,
-    /// The modules in it.
+    /// Its submodules.
     pub(super) children: BTreeMap<String, ModuleId>,
-    /// What it defines.
+    /// The names it defines.
     pub(super) items: BTreeSet<String>,
     /// The macros that the crate exports, with the files that define them; only in a root.
     pub(super) macros: BTreeMap<String, FileId>,
     /// Its imports and re-exports.
     pub(super) imports: Vec<Import>,
-    /// What its code names.
+    /// The names used in its code.
     pub(super) words: Words,
-    /// Whether it is there only where formulas are proved or measured.
+    /// Whether it is compiled only for verification or measurement.
     pub(super) is_proof: bool,
 }
 
@@ -90,7 +90,7 @@ impl Tree {
         Ok(tree)
     }
 
-    /// Reads the package at `root` alone.
+    /// Reads only the package at `root`.
     pub(super) fn library(root: &Path) -> anyhow::Result<Self> {
         let mut tree = Self::default();
         tree.member(root, "")?;
@@ -122,7 +122,7 @@ impl Tree {
         Ok(())
     }
 
-    /// Adds a file and the files that it names.
+    /// Adds a file and the files it names.
     fn file(&mut self, source: Source, module: Module, folder: &str, rest: &mut BTreeMap<String, Source>) -> ModuleId {
         let file = self.sources.len();
         self.sources.push(source);
@@ -130,7 +130,7 @@ impl Tree {
         self.scope(scope, Module { file, ..module }, folder, rest)
     }
 
-    /// Adds a module and those in it; the files of these are in `folder`.
+    /// Adds a module and its submodules, whose files are in `folder`.
     fn scope(&mut self, scope: Scope, module: Module, folder: &str, rest: &mut BTreeMap<String, Source>) -> ModuleId {
         let id = self.modules.len();
         let (file, root, is_proof) = (module.file, module.root, module.is_proof);
@@ -158,7 +158,7 @@ pub(super) fn manifest(path: &Path) -> anyhow::Result<Manifest> {
     toml::from_str(&text).with_context(|| format!("cannot read {}", path.display()))
 }
 
-/// The Rust files below a folder, with their paths from the root. Hidden folders and what is built are passed over.
+/// The Rust files below a folder, with their paths from the root, except hidden folders and build output.
 pub(super) fn texts_below(root: &Path, folder: &str, texts: &mut Vec<(String, String)>) -> anyhow::Result<()> {
     let directory = root.join(folder);
     if !directory.is_dir() {

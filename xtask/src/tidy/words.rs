@@ -1,4 +1,4 @@
-//! What the code of a scope names, read from its tokens: so the insides of macro calls are read as everything else.
+//! The names used in the code of a scope, read from its tokens, so that the arguments of macro calls are read like other code.
 
 use super::import::Import;
 use proc_macro2::{Delimiter, Ident, Literal, TokenStream, TokenTree};
@@ -13,13 +13,13 @@ pub(super) struct Mention {
     pub(super) line: usize,
 }
 
-/// What is named.
+/// The names used.
 #[derive(Debug, Default)]
 pub(super) struct Words {
     /// Every path.
     pub(super) paths: Vec<Mention>,
-    /// Every single name that can come from elsewhere, with the first line that has it: what begins with a capital, or
-    /// is called. A field, a method or a variable cannot.
+    /// Every single name that may come from elsewhere, with the first line that has it: names that begin with a
+    /// capital or are called. Fields, methods and variables are never from elsewhere.
     pub(super) names: BTreeMap<String, usize>,
     /// Imports within functions.
     pub(super) imports: Vec<Import>,
@@ -28,7 +28,7 @@ pub(super) struct Words {
 }
 
 impl Words {
-    /// Adds what these tokens name. Attributes and documentation are passed over.
+    /// Adds the names in these tokens, except in attributes and documentation.
     pub(super) fn read(&mut self, tokens: TokenStream) {
         let tokens: Vec<TokenTree> = tokens.into_iter().collect();
         let mut at = 0;
@@ -51,7 +51,7 @@ impl Words {
         }
     }
 
-    /// Adds what was read elsewhere.
+    /// Adds the names of another scope.
     pub(super) fn append(&mut self, other: Self) {
         let Self { paths, names, imports, strings } = other;
         self.paths.extend(paths);
@@ -62,7 +62,7 @@ impl Words {
         self.strings.extend(strings);
     }
 
-    /// A `use` within a function; the number of its tokens.
+    /// Adds a `use` within a function; returns the number of its tokens.
     fn import(&mut self, tokens: &[TokenTree]) -> usize {
         let length = tokens.iter().position(|token| is_mark(Some(token), ';')).map_or(1, |end| end + 1);
         let Ok(item) = syn::parse2(tokens[..length].iter().cloned().collect()) else { return 1 };
@@ -70,7 +70,7 @@ impl Words {
         length
     }
 
-    /// The path that begins with `word` at `at`; the number of its tokens.
+    /// Adds the path that begins with `word` at `at`; returns the number of its tokens.
     fn path(&mut self, word: &Ident, tokens: &[TokenTree], at: usize) -> usize {
         let line = word.span().start().line;
         let mut path = vec![word.to_string()];
@@ -93,7 +93,7 @@ impl Words {
     }
 }
 
-/// The length of an attribute; 1 for a `#` that begins none.
+/// The length of an attribute; 1 for a `#` that starts none.
 fn attribute(tokens: &[TokenTree]) -> usize {
     let inner = usize::from(is_mark(tokens.get(1), '!'));
     match tokens.get(1 + inner) {
@@ -113,7 +113,7 @@ fn is_mark(token: Option<&TokenTree>, mark: char) -> bool {
     matches!(token, Some(TokenTree::Punct(punct)) if punct.as_char() == mark)
 }
 
-/// The token behind `::`.
+/// The token after `::`.
 fn after_colons(tokens: &[TokenTree]) -> Option<&TokenTree> {
     (is_mark(tokens.first(), ':') && is_mark(tokens.get(1), ':')).then(|| tokens.get(2))?
 }
@@ -122,7 +122,7 @@ fn ends_in_colons(tokens: &[TokenTree]) -> bool {
     matches!(tokens, [.., first, second] if is_mark(Some(first), ':') && is_mark(Some(second), ':'))
 }
 
-/// Whether the `::` at the end begins a path rather than going on with one, as in `Vec::<T>::new` and `<T as Trait>::new`.
+/// Whether the `::` at the end starts a path rather than continuing one, as in `Vec::<T>::new` and `<T as Trait>::new`.
 fn is_global(tokens: &[TokenTree]) -> bool {
     let before = tokens.len().checked_sub(3).and_then(|at| tokens.get(at));
     !(is_mark(before, '>') || matches!(before, Some(TokenTree::Ident(_) | TokenTree::Group(_))))
@@ -148,7 +148,7 @@ mod tests {
         words
     }
 
-    /// Paths, names, imports and strings, each with its line, with bars between the four.
+    /// Paths, names, imports and strings, each with its line, separated by bars.
     fn shown(words: &Words) -> String {
         let paths = words.paths.iter().map(|mention| format!("{} {}", mention.path.join("::"), mention.line));
         let names = words.names.iter().map(|(name, line)| format!("{name} {line}"));
@@ -175,7 +175,7 @@ mod tests {
         says("note!(x); told![x]; one != (two)", " | note 1, told 1 |  | ");
         says("one::<Two>(three)", " | Two 1, one 1 |  | ");
         says("let one: dyn Two = if three { four } else { five }", " | Two 1 |  | ");
-        // The first line of two.
+        // The first of two lines.
         says("One\nOne", " | One 1 |  | ");
     }
 
@@ -185,7 +185,7 @@ mod tests {
         says("\none::two(three)", "one::two 2 |  |  | ");
         says("x = ::one::Two", "one::Two 1 |  |  | ");
         says("f(::one::Two)", "one::Two 1 | f 1 |  | ");
-        // What stands behind a `>` or a group goes on with what is before.
+        // A path after a `>` or a group continues the previous one.
         says("One::<Two>::new(three)", " | One 1, Two 1 |  | ");
         says("[One]::of::two(three)", " | One 1 |  | ");
         says("<One as two::Three>::FOUR", "two::Three 1 | One 1 |  | ");
@@ -204,7 +204,7 @@ mod tests {
     fn imports_within_functions_are_taken_apart() {
         says("use one::{two, Three as Four}; Five", " | Five 1 | use one::two 1, use one::Three as Four 1 | ");
         says("f(); use crate::one;", " | f 1 | use crate::one 1 | ");
-        // What is none is read as it stands.
+        // A malformed `use` is read like other tokens.
         says("use", " |  |  | ");
         says("use One", " | One 1 |  | ");
     }

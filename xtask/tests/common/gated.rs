@@ -1,4 +1,4 @@
-//! A formula that owes nothing, and what can be wrong with it.
+//! A formula with complete evidence, and its possible faults.
 
 use jointproof::formula::proof::law::equal;
 use jointproof::formula::proof::{Case, Law, Proved};
@@ -7,12 +7,12 @@ use jointproof::formula::{Component, Document, Formula, Jacobian, Spec};
 use jointproof::{Octuple, Scalar, fields};
 use std::sync::LazyLock;
 
-/// Where faults are named, with commas between them.
+/// The variable that names faults, separated by commas.
 pub const PLANT: &str = "JOINTPROOF_TEST_PLANT";
 
 static PLANTED: LazyLock<String> = LazyLock::new(|| std::env::var(PLANT).unwrap_or_default());
 
-/// Whether a fault is among those that are named.
+/// Whether a fault is among those named.
 pub fn is_planted(fault: &str) -> bool {
     PLANTED.split(',').any(|planted| planted == fault)
 }
@@ -35,7 +35,7 @@ impl Formula for Square {
     type Outputs<T: Component> = Area<T>;
 
     fn eval<D: Scalar>(i: &Side<D>) -> Area<D> {
-        // Exact in 237 bits, and a hundred roundings in 53.
+        // Exact in 237 bits, and off by a hundred roundings in 53 bits.
         let lost = D::from(1e-14);
         let nothing = (D::from(1024.0) + lost) - 1024.0 - lost;
         let factor = if is_planted("audit") {

@@ -1,4 +1,4 @@
-//! The command as a user runs it, in surroundings that a test decides.
+//! The command as run by a user, in an environment that a test controls.
 #![allow(dead_code, reason = "`gates`, `report` and `review` are programs of their own and use what they need")]
 
 use serde_json::{Value, json};
@@ -9,7 +9,7 @@ use std::process::{Command, Output};
 use std::sync::LazyLock;
 use tempfile::TempDir;
 
-/// Set where a program of tests is to be the measuring program.
+/// Set if a test program is to act as the measuring program.
 pub const IS_MEASURED: &str = "JOINTPROOF_TEST_IS_MEASURED";
 
 /// The repository.
@@ -17,15 +17,15 @@ pub fn repository() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap()
 }
 
-/// The report that is the reference, on every formula.
+/// The reference report on every formula.
 pub fn reference() -> Value {
     serde_json::from_slice(&fs::read(repository().join("book/report.json")).unwrap()).unwrap()
 }
 
-/// Where commands keep which files of the repository each formula is made of.
+/// The file in which commands keep which files of the repository each formula depends on.
 const REACH: &str = "target/jointproof/reach.json";
 
-/// That takes longer to find out than to audit a formula: it is found out once.
+/// Determining this takes longer than auditing a formula, so it is done once.
 static KNOWN: LazyLock<Vec<u8>> = LazyLock::new(|| {
     let bench = Bench::empty();
     bench.run(&["audit", "--filter", "slot.contact_force", "--samples", "1"]).exits(0);
@@ -33,14 +33,14 @@ static KNOWN: LazyLock<Vec<u8>> = LazyLock::new(|| {
 });
 
 /// A folder to work in: commands keep their evidence and put the book there, and if a part of the repository has been
-/// copied into it they take it for the repository.
+/// copied into it they treat it as the repository.
 pub struct Bench {
     directory: TempDir,
     is_root: bool,
 }
 
 impl Bench {
-    /// To work on the repository itself, which stays as it is.
+    /// For work on the repository itself, which is not changed.
     pub fn new() -> Self {
         let bench = Self::empty();
         let known = bench.path(REACH);
@@ -53,7 +53,7 @@ impl Bench {
         Self { directory: tempfile::tempdir().unwrap(), is_root: false }
     }
 
-    /// To work on copies of these files and folders of the repository.
+    /// For work on copies of these files and folders of the repository.
     pub fn with(parts: &[&str]) -> Self {
         let bench = Self { directory: tempfile::tempdir().unwrap(), is_root: true };
         for part in parts {
@@ -67,7 +67,7 @@ impl Bench {
         self.directory.path().join(part)
     }
 
-    /// The command, not yet run. Nothing of the surroundings of the test itself gets in.
+    /// The command, not yet run, isolated from the environment of the test itself.
     pub fn command(&self, arguments: &[&str]) -> Command {
         let mut command = Command::new(env!("CARGO_BIN_EXE_jointproof"));
         for variable in ["NO_COLOR", "CLICOLOR", "CLICOLOR_FORCE", "RAYON_NUM_THREADS", "JOINTPROOF_ROOT"] {
@@ -85,8 +85,8 @@ impl Bench {
         Ran::from(self.command(arguments).output().unwrap())
     }
 
-    /// Runs the command so that nothing is built or measured: the measuring program says what stands in this report, and ends with
-    /// this code.
+    /// Runs the command without building or measuring: the measuring program returns this report, and exits with this
+    /// code.
     pub fn run_measured(&self, report: &Value, code: i32, arguments: &[&str]) -> Ran {
         let begun = json!({ "Begun": report["build"] });
         let measured = report["formulas"].as_array().unwrap().iter().map(|formula| json!({ "Measured": formula }));
@@ -97,7 +97,7 @@ impl Bench {
         self.run_built(&program, arguments)
     }
 
-    /// Runs the command so that nothing is built: this is the measuring program.
+    /// Runs the command without building anything: `program` is the measuring program.
     pub fn run_built(&self, program: &Path, arguments: &[&str]) -> Ran {
         let [cargo, built] = ["cargo", "built"].map(|name| self.path(name));
         fs::write(&built, json!({ "executable": program }).to_string()).unwrap();
@@ -105,7 +105,7 @@ impl Bench {
         Ran::from(self.command(arguments).env("CARGO", &cargo).env(IS_MEASURED, "yes").output().unwrap())
     }
 
-    /// Every file of a folder, by name, with its bytes and the time it was written.
+    /// Every file of a folder, by name, with its bytes and modification time.
     pub fn files(&self, folder: &str) -> BTreeMap<String, (Vec<u8>, std::time::SystemTime)> {
         let entry = |entry: fs::DirEntry| {
             let name = entry.file_name().into_string().unwrap();
@@ -115,15 +115,15 @@ impl Bench {
     }
 }
 
-/// Writes a script of the shell.
+/// Writes a shell script.
 fn script(path: &Path, text: &str) {
     fs::write(path, format!("#!/bin/sh\n{text}\n")).unwrap();
     #[cfg(unix)]
     fs::set_permissions(path, std::os::unix::fs::PermissionsExt::from_mode(0o755)).unwrap();
 }
 
-/// Asserts that texts, each with a name, are those that were once looked at and accepted, of which digests are kept in
-/// `tests/printed`. With `UPDATE_PRINTED` in the environment they are accepted.
+/// Asserts that named texts are those that were reviewed and accepted, whose digests are kept in `tests/printed`. If
+/// `UPDATE_PRINTED` is set in the environment, they are accepted.
 pub fn assert_accepted(test: &str, kept: &str, texts: &[(String, String)]) {
     let mut now: Vec<_> =
         texts.iter().map(|(name, text)| format!("{} {:016x}", name.replace(' ', "_"), digest(text))).collect();
@@ -147,8 +147,8 @@ fn digest(text: &str) -> u64 {
     text.bytes().fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
 }
 
-/// Whether a program that a comparison needs is here. If not, the comparison is skipped, which is said, unless it is required
-/// as in `.ci/run`.
+/// Whether a program that a comparison needs is available. If not, the comparison is skipped with a message, unless it
+/// is required as in `.ci/run`.
 pub fn is_here(program: &str) -> bool {
     const REQUIRED: &str = "JOINTPROOF_REQUIRE_FOREIGN";
     let is_here = Command::new(program).arg("--version").output().is_ok_and(|output| output.status.success());
@@ -171,7 +171,7 @@ fn copy(from: &Path, to: &Path) {
     }
 }
 
-/// How a command ended.
+/// The outcome of a command.
 #[derive(Debug)]
 pub struct Ran {
     /// The exit code; `None` if a signal ended it.
@@ -195,7 +195,7 @@ impl Ran {
         self
     }
 
-    /// Asserts that it ended quietly: that all went well and that there was nothing to say beside the results.
+    /// Asserts that it succeeded without messages besides the results.
     #[track_caller]
     pub fn quiet(self) -> Self {
         let ran = self.exits(0);
@@ -203,21 +203,21 @@ impl Ran {
         ran
     }
 
-    /// Asserts what is among the results.
+    /// Asserts that the results contain this text.
     #[track_caller]
     pub fn prints(self, expected: &str) -> Self {
         assert!(self.stdout.contains(expected), "{expected:?} is not in the standard output of\n{self:#?}");
         self
     }
 
-    /// Asserts what is among the messages.
+    /// Asserts that the messages contain this text.
     #[track_caller]
     pub fn says(self, expected: &str) -> Self {
         assert!(self.stderr.contains(expected), "{expected:?} is not in the standard error of\n{self:#?}");
         self
     }
 
-    /// Asserts bad usage: exit code 2, no results, and this said.
+    /// Asserts bad usage: exit code 2, no results, and this message.
     #[track_caller]
     pub fn bad_usage(self, expected: &str) -> Self {
         let ran = self.exits(2).says(expected);

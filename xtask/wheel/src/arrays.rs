@@ -1,21 +1,21 @@
-//! A formula over arrays of any shape and strides, none of which is copied.
+//! A formula over arrays of any shape and strides, without copies.
 //!
-//! All arrays have one shape, that of the call. Axes that follow each other in memory in all of them are merged; along the
-//! longest that is left rows are handed to a batch, and the others are shared out among the threads.
+//! All arrays have the shape of the call. Axes that are contiguous in all of them are merged; rows along the longest
+//! remaining axis are passed to a batch, and the other axes are distributed among the threads.
 
 use crate::batches::Batch;
 use crate::rows::Refused;
 use jointproof::toolkit::batch::{ArrayView1, ArrayViewMut1, Error};
 use ndarray::{ArrayViewD, ArrayViewMutD, Axis, Ix1};
 
-/// What computes columns of results from columns of inputs.
+/// A function that computes columns of results from columns of inputs.
 type Run = fn(&[ArrayView1<f64>], &mut [ArrayViewMut1<f64>]) -> Result<(), Error>;
 
 /// An array per component of the inputs and of the results, all of one shape.
 pub(crate) struct Call<'a> {
-    /// The row of the first element.
+    /// The row index of the first element.
     first: usize,
-    /// How many rows further the next element along each axis is.
+    /// The increment of the row index along each axis.
     steps: Vec<usize>,
     shape: Vec<usize>,
     inputs: Vec<ArrayViewD<'a, f64>>,
@@ -23,7 +23,7 @@ pub(crate) struct Call<'a> {
 }
 
 impl<'a> Call<'a> {
-    /// Of arrays of this shape; `None` where one has another.
+    /// A call with arrays of this shape; `None` if an array has another shape.
     pub(crate) fn new(
         shape: &[usize],
         inputs: Vec<ArrayViewD<'a, f64>>,
@@ -35,7 +35,7 @@ impl<'a> Call<'a> {
         Some(Self { first: 0, steps, shape: shape.to_vec(), inputs, results }.merged().longest_last())
     }
 
-    /// Computes the value, or the Jacobian too.
+    /// Computes the value, and the Jacobian if requested.
     pub(crate) fn run(self, batch: &Batch, with_jacobian: bool) -> Result<Refused, Error> {
         self.share(if with_jacobian { batch.linearize } else { batch.value })
     }
@@ -54,7 +54,7 @@ impl<'a> Call<'a> {
         }
     }
 
-    /// Computes all rows along the one axis there is.
+    /// Computes all rows along the only axis.
     fn compute(self, run: Run) -> Result<Refused, Error> {
         fn column<T>(array: Result<T, ndarray::ShapeError>) -> T {
             array.expect("one axis is left")
@@ -70,14 +70,14 @@ impl<'a> Call<'a> {
         }
     }
 
-    /// A single point as a row.
+    /// Adds an axis to a single point, which becomes a row.
     fn wrapped(self) -> Self {
         let inputs = self.inputs.into_iter().map(|array| array.insert_axis(Axis(0))).collect();
         let results = self.results.into_iter().map(|array| array.insert_axis(Axis(0))).collect();
         Self { steps: vec![1], shape: vec![1], inputs, results, ..self }
     }
 
-    /// With every two axes in one that can be in all arrays.
+    /// Merges adjacent axes wherever all arrays allow it.
     fn merged(mut self) -> Self {
         for axis in (1..self.shape.len()).rev() {
             let [outer, inner] = [self.shape[axis - 1], self.shape[axis]];
@@ -98,7 +98,7 @@ impl<'a> Call<'a> {
         self
     }
 
-    /// Without an axis of length 1.
+    /// Removes an axis of length 1.
     fn without(mut self, axis: usize) -> Self {
         self.shape.remove(axis);
         self.steps.remove(axis);
@@ -107,7 +107,7 @@ impl<'a> Call<'a> {
         Self { inputs, results, ..self }
     }
 
-    /// With the longest axis in the last place.
+    /// Moves the longest axis to the end.
     fn longest_last(mut self) -> Self {
         let Some(longest) = (0..self.shape.len()).max_by_key(|&axis| self.shape[axis]) else { return self };
         let last = self.shape.len() - 1;
@@ -118,7 +118,7 @@ impl<'a> Call<'a> {
         self
     }
 
-    /// Divided along the first axis.
+    /// Splits the call along the first axis.
     fn halves(self) -> [Self; 2] {
         let middle = self.shape[0] / 2;
         let (inputs, other_inputs) = self.inputs.into_iter().map(|array| array.split_at(Axis(0), middle)).unzip();
@@ -145,7 +145,7 @@ pub(crate) fn components(array: ArrayViewD<'_, f64>, axes: usize) -> Vec<ArrayVi
     (0..array.len_of(axis)).flat_map(one).collect()
 }
 
-/// As [`components`], to be written.
+/// Like [`components`], for writing.
 pub(crate) fn components_mut(mut array: ArrayViewMutD<'_, f64>, axes: usize) -> Vec<ArrayViewMutD<'_, f64>> {
     if axes == 0 {
         return vec![array];

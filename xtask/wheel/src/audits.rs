@@ -22,7 +22,7 @@ fn read<T: serde::de::DeserializeOwned>(text: &str) -> PyResult<T> {
     serde_json::from_str(text).map_err(invalid)
 }
 
-/// What is not given is as the commands have it.
+/// Options not given have the defaults of the commands.
 pub(crate) fn options(samples: Option<usize>, seed: Option<u64>) -> Options {
     let usual = Options::default();
     Options { samples: samples.unwrap_or(usual.samples), seed: seed.unwrap_or(usual.seed) }
@@ -37,7 +37,7 @@ pub(crate) fn audit(py: Python<'_>, ids: Vec<String>, samples: Option<usize>, se
     written(&audits)
 }
 
-/// A part of the audit of a formula: the one of this number, counted from 1, of so many.
+/// A part of the audit of a formula, given by its number, counted from 1, and the number of parts.
 #[pyfunction]
 pub(crate) fn audit_part(
     py: Python<'_>,
@@ -53,13 +53,13 @@ pub(crate) fn audit_part(
     written(&py.detach(|| formula.audit_part(&options, shard)))
 }
 
-/// Two parts that follow one another as one.
+/// Merges two consecutive parts.
 #[pyfunction]
 pub(crate) fn merge_parts(one: &str, next: &str) -> PyResult<String> {
     written(&read::<Part>(one)?.and(read(next)?).map_err(invalid)?)
 }
 
-/// The audits that parts are, in the order of the catalog, in whatever order the parts are given.
+/// Merges parts into audits in the order of the catalog; the order of the parts does not matter.
 #[pyfunction]
 pub(crate) fn merge_all(parts: Vec<String>) -> PyResult<String> {
     let mut parts = parts.iter().map(|part| read::<Part>(part)).collect::<PyResult<Vec<_>>>()?;
@@ -76,7 +76,7 @@ pub(crate) fn merge_all(parts: Vec<String>) -> PyResult<String> {
     written(&audits)
 }
 
-/// Audits in words, and whether all of them passed.
+/// The report of audits, and whether all of them passed.
 #[pyfunction]
 pub(crate) fn audit_text(audits: &str) -> PyResult<(String, bool)> {
     let audits: Vec<Audit> = read(audits)?;

@@ -1,4 +1,4 @@
-//! The batches of every formula, compiled with this crate: for speed, whatever the size of the evidence.
+//! The batches of every formula, compiled with this crate: optimised for speed, whereas the evidence is optimised for size.
 
 use jointproof::connector::{align, cardan, join, slider, slot, translator, ujoint, universal};
 use jointproof::contact::{coulomb, interaction, slide_line};

@@ -1,4 +1,4 @@
-//! Functions of Python, judged as programs are.
+//! Python functions, judged like programs.
 
 use crate::audits::options;
 use crate::formulas::formula;
@@ -14,7 +14,7 @@ pub(crate) struct Called {
     inputs: usize,
 }
 
-/// What its answers are worth.
+/// The judgement of its answers.
 #[pyclass(frozen, get_all)]
 pub(crate) struct Judged {
     is_well: bool,
@@ -23,7 +23,7 @@ pub(crate) struct Judged {
     numbers: Vec<Py<Found>>,
 }
 
-/// What was found about one number of the answers.
+/// The result for one number of the answers.
 #[pyclass(frozen, get_all)]
 pub(crate) struct Found {
     name: String,
@@ -31,13 +31,13 @@ pub(crate) struct Found {
     checked: usize,
     off: usize,
     bound: f64,
-    /// The largest η, what was found, and what is exact there.
+    /// The largest η, with the computed and the exact number.
     worst: Option<(f64, f64, f64)>,
     /// The inputs there, as JSON.
     inputs: Option<String>,
 }
 
-/// An answer: numbers, `None` for those that are not computed, or words that begin with what they are.
+/// An answer: numbers, `None` for those that are not computed, or a text that starts with its kind.
 #[derive(FromPyObject)]
 enum Said {
     Numbers(Vec<Option<f64>>),
@@ -75,7 +75,7 @@ impl Called {
         Ok(Self { called, inputs })
     }
 
-    /// The inputs of every point, a row each, by components in order.
+    /// The inputs of every point, one row each, by components in order.
     fn points<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let rows: Vec<Vec<f64>> = self.called.points().map(<[f64]>::to_vec).collect();
         if rows.is_empty() {
@@ -84,12 +84,12 @@ impl Called {
         PyArray2::from_vec2(py, &rows).map_err(|error| PyValueError::new_err(error.to_string()))
     }
 
-    /// The places of the points in the order in which they are asked for the second time.
+    /// The indices of the points, in the order in which they are asked for the second time.
     fn other_order(&self) -> Vec<usize> {
         self.called.other_order()
     }
 
-    /// Judges the answers of both times, in the order of the points.
+    /// Judges both sets of answers, in the order of the points.
     fn judge(
         &self,
         py: Python<'_>,

@@ -1,4 +1,4 @@
-//! Formulas by their place in the catalog: what is said of them, and their results.
+//! Formulas by their index in the catalog: their descriptions and results.
 
 use crate::arrays::{Call, components, components_mut};
 use crate::batches::BATCHES;
@@ -13,13 +13,13 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::{Value, json};
 
-/// Why a call was refused, by names.
+/// Why a call was rejected, as a dictionary.
 type Told<'py> = Option<Bound<'py, PyDict>>;
 
-/// What comes out, or why nothing does.
+/// The result, or why there is none.
 type OrTold<'py, T> = PyResult<(Option<T>, Told<'py>)>;
 
-/// The formula in this place.
+/// The formula at this index.
 pub(crate) fn formula(place: usize) -> PyResult<&'static dyn AnyFormula> {
     CATALOG.get(place).copied().ok_or_else(|| PyIndexError::new_err(format!("there is no formula in place {place}")))
 }
@@ -66,7 +66,7 @@ fn field(field: &Field) -> Value {
     })
 }
 
-/// Where a formula has no derivative, as JSON: the condition in LaTeX, a point on it, and a direction across.
+/// The kinks of a formula, as JSON: the condition in LaTeX, a point on it, and a direction across.
 #[pyfunction]
 pub(crate) fn kinks(py: Python<'_>, place: usize) -> PyResult<String> {
     let formula = formula(place)?;
@@ -75,13 +75,13 @@ pub(crate) fn kinks(py: Python<'_>, place: usize) -> PyResult<String> {
     Ok(kinks.iter().map(kink).collect::<Value>().to_string())
 }
 
-/// The outputs at one point, by components in order, or why it is refused.
+/// The outputs at one point, by components in order, or why it is rejected.
 #[pyfunction]
 pub(crate) fn value_at(py: Python<'_>, place: usize, inputs: Vec<f64>) -> OrTold<'_, Vec<f64>> {
     one(py, formula(place)?.value(&inputs))
 }
 
-/// Outputs and Jacobian at one point, as [`value_at`].
+/// Outputs and Jacobian at one point, as in [`value_at`].
 #[pyfunction]
 pub(crate) fn linearize_at(py: Python<'_>, place: usize, inputs: Vec<f64>) -> OrTold<'_, (Vec<f64>, Vec<f64>)> {
     one(py, formula(place)?.value_and_jacobian(&inputs))
@@ -94,9 +94,9 @@ fn one<T>(py: Python<'_>, results: Result<T, Error>) -> OrTold<'_, T> {
     }
 }
 
-/// The outputs, and the Jacobian if an array for it is given, over arrays: one per field, the axes of the field last, all
-/// others of the shape of the call. Of the Jacobian, whose last two axes are components of outputs and inputs, only entries
-/// are written that are not zero everywhere.
+/// The outputs, and the Jacobian if an array for it is given, over arrays: one per field, with the axes of the field
+/// last and the shape of the call before them. Of the Jacobian, whose last two axes are components of outputs and
+/// inputs, only entries that are not identically zero are written.
 #[pyfunction]
 pub(crate) fn over_arrays<'py>(
     py: Python<'py>,
@@ -131,7 +131,7 @@ pub(crate) fn over_arrays<'py>(
     refused.map_err(|error| PyRuntimeError::new_err(error.to_string()))?.told(py)
 }
 
-/// Those of the arrays of a Jacobian that belong to entries, which are in order.
+/// Selects the arrays of a Jacobian that belong to these entries, which are in order.
 fn chosen<'a>(
     all: Vec<ArrayViewMutD<'a, f64>>,
     entries: &[[usize; 2]],
@@ -141,7 +141,7 @@ fn chosen<'a>(
     all.into_iter().enumerate().filter(move |(place, _)| places.next_if_eq(place).is_some()).map(|(_, array)| array)
 }
 
-/// How many axes a field has.
+/// The number of axes of a field.
 fn axes(field: &Field) -> usize {
     field.quantity.shape.dimensions().len()
 }

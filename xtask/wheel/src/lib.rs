@@ -1,7 +1,7 @@
-//! What the Python package `jointproof` is made of: formulas over arrays of NumPy, exact numbers, audits, checks, scenes.
+//! The compiled part of the Python package `jointproof`: formulas over NumPy arrays, exact numbers, audits, checks, scenes.
 //!
-//! Arrays are read and written where they are, while Python does something else. What is told about formulas and audits is
-//! passed as JSON; names, broadcasting and errors are the matter of the package in `python/jointproof`.
+//! Arrays are read and written in place, with the interpreter's lock released. Descriptions of formulas and audits are passed as
+//! JSON; names, broadcasting and errors are handled by the package in `python/jointproof`.
 
 #![expect(clippy::needless_pass_by_value, reason = "what comes from Python is handed over")]
 

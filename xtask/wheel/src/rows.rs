@@ -1,11 +1,11 @@
-//! Rows that were refused, as Python is told of them.
+//! Rejected rows, as reported to Python.
 
 use jointproof::Error;
 use jointproof::toolkit::batch::RowError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// The rows of a call that were refused.
+/// The rows of a call that were rejected.
 #[derive(Debug, Default)]
 pub(crate) struct Refused {
     first: Option<RowError>,
@@ -17,13 +17,13 @@ impl Refused {
         Self { first: Some(RowError { row, error }), count }
     }
 
-    /// Those of two parts of a call, the same whichever ended first.
+    /// Merges the rejected rows of two parts of a call, independent of which ended first.
     pub(crate) fn and(self, other: Self) -> Self {
         let firsts = [self.first, other.first].into_iter().flatten();
         Self { first: firsts.min_by_key(|first| first.row), count: self.count + other.count }
     }
 
-    /// What is wrong with the first row, by names; `None` where none is refused.
+    /// The error of the first rejected row, as a dictionary; `None` if none is rejected.
     pub(crate) fn told(self, py: Python<'_>) -> PyResult<Option<Bound<'_, PyDict>>> {
         let Some(RowError { row, error }) = self.first else { return Ok(None) };
         let told = PyDict::new(py);
@@ -39,7 +39,7 @@ impl Refused {
     }
 }
 
-/// The input that an error names first, and its value and what is allowed, where these are said of one number.
+/// The input that an error names first, with its value and what is allowed if the error concerns a single number.
 fn named(error: &Error) -> (Option<String>, Option<f64>, Option<String>) {
     let (input, value, allowed) = match error {
         Error::NonFinite { name, value, allowed } | Error::OutOfRange { name, value, allowed } => {

@@ -15,7 +15,7 @@ pub(crate) struct Scene {
     series: Vec<Py<Series>>,
 }
 
-/// An output of an element over the states, a row for every state: NaN where it is not there.
+/// An output of an element over the states, one row per state: NaN where it is not available.
 #[pyclass(frozen, get_all)]
 pub(crate) struct Series {
     element: String,
@@ -29,7 +29,7 @@ fn invalid(error: impl std::fmt::Display) -> PyErr {
 
 #[pymethods]
 impl Scene {
-    /// Evaluates the text of a scene file, which is in this folder if it is in one, in doubles, or in 237 bits rounded once.
+    /// Evaluates the text of a scene file, which may refer to files in this folder, in doubles, or in 237 bits rounded once.
     #[new]
     fn new(py: Python<'_>, text: &str, exact: bool, folder: Option<PathBuf>) -> PyResult<Self> {
         let results = py.detach(|| {

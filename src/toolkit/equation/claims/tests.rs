@@ -6,7 +6,7 @@ fn read(latex: &str, free: &str) -> Claims {
     Claims::read(latex, &Setting { free: free.into(), ..Setting::default() }).expect("it can be read")
 }
 
-/// Of the contact force √(f2² + f3²).
+/// The setting of the contact force √(f2² + f3²).
 fn setting() -> Setting {
     let (inputs, outputs) = (CrossForces::<f64>::FIELDS, Contact::<f64>::FIELDS);
     Setting { of: Some(Signature { spec: ContactForce::SPEC, inputs, outputs }), ..Setting::default() }
@@ -20,7 +20,7 @@ fn exact(numbers: &[f64]) -> Vec<Octuple> {
     numbers.iter().map(|&x| x.into()).collect()
 }
 
-/// Which claims hold where what may be any is this.
+/// Which claims hold for these values of the arbitrary numbers.
 fn held(claims: &Claims, free: &[f64]) -> Vec<bool> {
     assert_eq!(claims.free().len(), free.len());
     claims.at(&claims.point(&[], None, &exact(free))).iter().map(|claim| claim.holds).collect()
@@ -31,13 +31,13 @@ const NUMBER: Free = Free::Positive;
 
 #[test]
 fn of_what_may_be_any_that_changes_whose_change_is_written() {
-    // b is held.
+    // b is held fixed.
     let one = read(r"c = a\,b,\quad \mathrm{d}c = b\,\mathrm{d}a", "a, b");
     assert_eq!((one.free(), held(&one, &[2.0, 3.0, -5.0])), (&[NUMBER, NUMBER, CHANGE][..], vec![true]));
     let both = read(r"c = a\,b,\quad \mathrm{d}c = b\,\mathrm{d}a + a\,\mathrm{d}b", "a, b");
     assert_eq!(both.free(), [NUMBER, NUMBER, CHANGE, CHANGE]);
     assert_eq!(held(&both, &[2.0, 3.0, -5.0, 7.0]), [true]);
-    // It is told from others by its subscript, too.
+    // It is also distinguished from others by its subscript.
     let second = read(r"c = a_1 a_2^2,\quad \mathrm{d}c = 2\,a_1 a_2\,\mathrm{d}a_2", "a_1, a_2");
     assert_eq!((second.free(), held(&second, &[2.0, 3.0, -5.0])), (&[NUMBER, NUMBER, CHANGE][..], vec![true]));
     let change = r"\mathrm{d}c = 2\,\mathbf{v}\cdot\mathrm{d}\mathbf{v},\quad c = \mathbf{v}\cdot\mathbf{v}";
@@ -60,7 +60,7 @@ fn a_claim_is_made_of_each_relation_and_number() {
     let told: Vec<_> = all.iter().map(|claim| (claim.text, claim.is_equality, claim.holds)).collect();
     assert_eq!(told, [("a = b", true, true), ("b = c", true, false), (r"b \ge c", false, false)]);
     assert_eq!([all[1].left, all[1].right, all[2].right].map(Octuple::to_f64), [2.0, 3.0, 3.0]);
-    // A vector has components, and may be 0 as a number or as the zero vector.
+    // A vector has components, and may be compared with 0 as a number or as the zero vector.
     for zero in ["0", r"\mathbf{0}", "(0, 0, 0)"] {
         let claims = read(&format!(r"\mathbf{{v}} = {zero}"), r"\mathbf{v}");
         assert_eq!(held(&claims, &[0.0, 1.0, 0.0]), [true, false, true], "{zero}");
@@ -86,17 +86,17 @@ fn a_claim_is_made_of_each_relation_and_number() {
 fn what_is_new_is_defined_and_else_claimed() {
     assert_eq!(held(&read(r"b = 2\,a = a + a", "a"), &[3.0]), [true]);
     assert_eq!(held(&read(r"b = 2\,a = a + 1", "a"), &[3.0]), [false]);
-    // A function, and some at once.
+    // A function, and several symbols at once.
     assert_eq!(held(&read(r"r(g) = g^2,\quad r(a) = a\,a,\quad r(2) = 5", "a"), &[3.0]), [true, false]);
     assert_eq!(held(&read(r"(b, c) = (a, 2\,a),\quad c = b + a,\quad c = b", "a"), &[3.0]), [true, false]);
-    // What is known is claimed, and so is what is defined again.
+    // A statement about a known symbol is a claim, and so is a second definition.
     assert_eq!(held(&read(r"a = 3,\quad a = 4", "a"), &[3.0]), [true, false]);
     assert_eq!(held(&read(r"b = a,\quad b = 4", "a"), &[3.0]), [false]);
-    // So is a differential, whereas the variation of what is not given may be defined.
+    // So is a differential, whereas the variation of a symbol that is not given may be defined.
     assert_eq!(held(&read(r"b = 4\,c,\quad \delta b = 5,\quad \delta b = 4", "c"), &[3.0]), [false]);
     assert_eq!(held(&read(r"b = 4\,c,\quad \mathrm{d}b = 5,\quad \mathrm{d}b = 0", "c"), &[3.0]), [false, true]);
     let free = Setting { free: "a".into(), ..Setting::default() };
-    // An order defines nothing, nor does a symbol by itself.
+    // An inequality defines nothing, nor does a symbol alone.
     for undefined in ["b < a", "b = a < 4", "b", "(b, a) = (1, 2)", "r(g, 2) = g"] {
         assert!(Claims::read(undefined, &free).is_err(), "{undefined}");
     }
@@ -135,14 +135,14 @@ fn the_code_is_what_an_output_means() {
     let point = claims.point(&exact(&[3.0, 4.0]), Some([&code[0], &code[1]]), &exact(&[7.0]));
     let told: Vec<_> = claims.at(&point).iter().map(|claim| (claim.left.to_f64(), claim.holds)).collect();
     assert_eq!((point.len(), told), (2 + 1 + 2 + 1, vec![(7.0, true), (9.0, false)]));
-    // Where nothing is known of it there are no numbers in its place.
+    // If nothing is known of it, its numbers are NaN.
     let point = claims.point(&exact(&[3.0, 4.0]), None, &exact(&[7.0]));
     assert_eq!(point.iter().map(|x| x.is_nan()).collect::<Vec<_>>(), [false, false, true, true, true, false]);
 }
 
 #[test]
 fn changes_of_inputs_may_be_any() {
-    // All inputs change where a change is written.
+    // All inputs vary where a change is written.
     let claims = Claims::read(r"F_C\,\mathrm{d}F_C = f_2\,\mathrm{d}f_2 + f_3\,\mathrm{d}f_3", &setting()).unwrap();
     assert_eq!(claims.free(), [CHANGE, CHANGE]);
     let code = [exact(&[5.0]), exact(&[0.6, 0.8])];
@@ -167,7 +167,7 @@ fn what_an_equation_defines_is_known_unless_it_is_closed() {
         claims.at(&claims.point(&exact(&[3.0, 4.0]), None, &[])).iter().map(|claim| claim.holds).collect()
     };
     assert_eq!([held(&open), held(&closed)], [vec![true, false], vec![false]]);
-    // What prose says comes first.
+    // Definitions in prose take precedence.
     let definitions = "g = f_2".into();
     assert_eq!(held(&Setting { definitions, ..open }), [false, true]);
     let from = vec![("F_C".into(), ContactForce::SPEC)];
@@ -182,7 +182,7 @@ fn numbers_are_put_in_for_inputs() {
     let inputs = |put: &str| with(put).unwrap().inputs(&exact(&[3.0, 4.0]), &[]);
     assert_eq!(inputs(""), exact(&[3.0, 4.0]));
     assert_eq!(inputs("f_3 = 7"), exact(&[3.0, 7.0]));
-    // Of the others, too.
+    // In terms of the other inputs, too.
     assert_eq!(inputs(r"f_3 = 2\,f_2,\ f_2 = 5"), exact(&[5.0, 6.0]));
     let why = |put: &str| with(put).unwrap_err().to_string();
     assert_eq!(why(r"f_3 = 1,\ f_4 = 2"), "byte 10: f_4 is no input");

@@ -1,4 +1,4 @@
-//! Contestants of known cost, timed by a clock that shows the work they have done.
+//! Contestants of known cost, timed by a clock that measures the work they have done.
 
 use super::*;
 use crate::toolkit::measure::{Errors, Figures, WayFigures};
@@ -8,10 +8,10 @@ use std::rc::Rc;
 /// Nanoseconds of work done so far.
 type Work = Rc<Cell<f64>>;
 
-/// What a way costs at a point, in nanoseconds: at random points, whose only component is below 1, and at hard ones.
+/// The cost of a method at a point, in nanoseconds: at random points, whose only component is below 1, and at hard ones.
 type Cost = fn(f64) -> f64;
 
-/// A kernel that does nothing, and takes its time for it.
+/// A kernel that does nothing but advance the clock.
 fn kernel(work: &Work, cost: Cost) -> Kernel {
     let work = work.clone();
     Kernel {
@@ -28,7 +28,7 @@ fn no_figures() -> Figures {
     Figures { time: None, ratio: None, hard_times: Vec::new(), random, hard: None }
 }
 
-/// The times of ways with such costs of value and Jacobian.
+/// The times of methods with these costs of value and Jacobian.
 fn timed(ways: &[(&'static str, Cost, Cost)], options: &Options) -> Measurement {
     let work = Work::default();
     let of = |&(id, value, jacobian): &(&'static str, Cost, Cost)| {
@@ -82,7 +82,7 @@ fn assert_time(found: Option<Time>, expected: f64) {
     }
 }
 
-/// Hard points cost twice and five times as much as random ones, the extreme one forty times.
+/// Hard points cost two and five times as much as random ones, the extreme one forty times.
 const CLOSED: Cost = |x| match x {
     x if x < 1.0 => 10.0,
     x if x < 2.0 => 20.0,
@@ -120,14 +120,14 @@ fn every_hard_point_is_timed_alone_in_units_of_random_ones() {
             assert_time(Some(at.time), time * factor);
             assert_time(Some(at.ratio), time / 10.0);
         }
-        // What models do not have is not held against a formula.
+        // Points that do not occur in models do not count.
         assert_eq!(figures.hardest().map(|at| at.case.as_str()), Some("far"));
     }
     let timed_at_hard = |id| measured.way(id).unwrap().value.as_ref().unwrap().hard_times.len();
     assert_eq!(["closed", "checked", "ad"].map(timed_at_hard), [3, 3, 0]);
 }
 
-/// A way that becomes slower round by round has the middle one's time, and four of five rounds between low and high.
+/// A method that becomes slower round by round has the time of the middle round, and four of five rounds between low and high.
 #[test]
 fn the_spread_is_that_of_the_rounds() {
     let work = Work::default();
@@ -155,13 +155,13 @@ fn the_spread_is_that_of_the_rounds() {
     assert_eq!([ratio.median, ratio.low, ratio.high].map(|x| (x * 100.0).round()), [150.0, 110.0, 190.0]);
 }
 
-/// A turn lasts as long as it should, whatever an evaluation costs; what is longer than a turn comes less often, but at
-/// least five times.
+/// A turn has the intended length, whatever the cost of an evaluation; contestants with longer turns take part less
+/// often, but at least five times.
 #[test]
 fn turns_are_as_long_as_they_should_be() {
     let pace = Pace { points: 100, turn_ns: 1e4, every: 1, rounds: 40 };
     let task = Task { way: "ad", with_jacobian: false, hard: None };
-    // Cost of an evaluation; points a call, calls a turn, every so many rounds.
+    // Cost of an evaluation; points per call, calls per turn, and rounds per turn.
     for (cost, expected) in [
         (1.0, (100, 100, 1)),
         (40.0, (100, 2, 1)),
@@ -185,7 +185,7 @@ fn turns_are_as_long_as_they_should_be() {
     assert_eq!((short.points, short.turn_ns, short.every, short.rounds), (100, 1250.0, 4, 40));
 }
 
-/// Each round begins with another contestant.
+/// Each round starts with another contestant.
 #[test]
 fn no_contestant_always_follows_the_same() {
     let order = Rc::new(std::cell::RefCell::new(Vec::new()));
@@ -206,12 +206,12 @@ fn no_contestant_always_follows_the_same() {
         move || work.get()
     };
     time(&[], [runner('c'), runner('y')], &no_points, (&options, &clock), &mut nothing);
-    // Four turns each to find how long they are, with one call each, and again with so many points as fill a turn.
+    // Four turns each to determine their length, with one call each, and again with as many points as fill a turn.
     let rounds: String = order.borrow().iter().rev().take(8).rev().collect();
     assert_eq!(rounds, "cyyccyyc");
 }
 
-/// Rounds are told apart: a time is in units of what the other one took in the same round, and only where it had a turn.
+/// Rounds are kept apart: a time is divided by that of the other contestant in the same round, and only if it had a turn.
 #[test]
 fn ratios_are_of_times_of_one_round() {
     let of = |every, samples: &[(usize, f64)]| {
@@ -226,7 +226,7 @@ fn ratios_are_of_times_of_one_round() {
 fn four_turns_tell_how_long_one_is() {
     let pace = Pace { points: 100, turn_ns: 1e4, every: 1, rounds: 40 };
     let task = Task { way: "ad", with_jacobian: false, hard: None };
-    // Two calls fill a turn, after one that is not timed; or one that is long.
+    // Two calls fill a turn, after an untimed one; or a single long one does.
     for (cost, expected, first) in [(40.0, &[1, 1, 1, 1, 100, 100, 100, 100][..], 3), (500.0, &[1; 4][..], 1)] {
         let (work, counts) = (Work::default(), Rc::new(std::cell::RefCell::new(Vec::new())));
         let run: Runner = {
@@ -241,7 +241,7 @@ fn four_turns_tell_how_long_one_is() {
         contestant.take_turn(0, &|| work.get());
         assert_eq!(counts.borrow().len() - expected.len(), first, "{cost}");
     }
-    // What takes no time that a clock shows takes a nanosecond a call.
+    // A call without measurable time counts as a nanosecond.
     let contestant = Contestant::new(task, Box::new(|_| ()), pace, &|| 7.0);
     assert_eq!((contestant.points, contestant.calls, contestant.every), (100, 10_000, 1));
 }
@@ -312,13 +312,13 @@ fn both_halves_count_alike() {
     let jacobian = both.ways[0].jacobian.as_ref().unwrap();
     assert_time(jacobian.time, 30.0);
     assert_eq!(half(2.0).and(&half(1.0)), half(1.0).and(&half(2.0)));
-    // A half without times has nothing to say, and nothing is made up for it.
+    // Nothing is invented for a half without times.
     let mut untimed = half(1.0);
     untimed.copy = None;
     assert_eq!(half(1.0).and(&untimed).copy, None);
 }
 
-/// The number is that of an interpreter of Python.
+/// The number was computed by a Python interpreter.
 #[test]
 fn the_yardstick_is_the_same_arithmetic_in_every_version() {
     assert_eq!(chain(2.0).to_bits(), 1.808_775_336_651_888_f64.to_bits());

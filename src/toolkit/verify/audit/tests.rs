@@ -18,7 +18,7 @@ fn one_claim_that_fails_is_enough() {
     assert!(audit.passed() && audit.no_claim_failed());
     audit.eta.failures = 1;
     assert!(!audit.passed() && !audit.no_claim_failed());
-    // On the kink laws and differences cannot be checked.
+    // Laws and differences cannot be checked on the kink.
     let on_kink = at(0.0, 0.0);
     assert!(!on_kink.passed() && on_kink.no_claim_failed());
 }
@@ -145,7 +145,7 @@ fn points_that_are_searched_for_are_named_by_the_side_that_they_take() {
     assert!(found.iter().any(|point| point.label.ends_with(": otherwise")));
 }
 
-/// An audit of nothing yet.
+/// An audit without any checks yet.
 fn begun(subject: &Subject) -> Audit {
     let starts = Some(Vec::new());
     audit_points(subject, &Points { named: Vec::new(), searched: 0, random: Vec::new(), before: 0, seed: 1, starts })
@@ -155,7 +155,7 @@ fn point<'a>(subject: &'a Subject, random: bool, inputs: &[f64]) -> Point<'a> {
     Point::new(subject, "there".into(), random, inputs.to_vec())
 }
 
-/// Both ways check the code; differences are by each input closely, and else along one direction, but on a kink.
+/// Both modes check the code; differences are with respect to each input or along one direction, except on a kink.
 #[test]
 fn a_point_is_checked_closely_or_not() {
     let subject = Subject::of::<ContactForce>();
@@ -179,7 +179,7 @@ fn a_point_is_checked_closely_or_not() {
     }
 }
 
-/// Random points are started from in the first part alone, and not more than are asked for.
+/// Only the first part starts from random points, and from no more than requested.
 #[test]
 fn kinks_are_searched_from_random_points_by_the_first_part() {
     let mut subject = Subject::of::<ReturnMap>();
@@ -199,12 +199,12 @@ fn kinks_are_searched_from_random_points_by_the_first_part() {
     let (searched, reached, named, random) = shared(1, 1);
     assert!(searched > Some(0) && reached > 0 && named == reached && random == 1, "{searched:?} {reached}");
     assert_eq!(shared(3, 2), (None, 0, 0, 1));
-    // Nor does another part look at cases and kinks.
+    // Other parts do not check cases and kinks either.
     let (subject, second) = (Subject::of::<ReturnMap>(), Shard::new(2, 2).expect("there is one"));
     assert_eq!(audit_share(&subject, &Options { samples: 0, seed: 1 }, second).0.named_points, 0);
 }
 
-/// Differences are by both inputs, or along one direction.
+/// Differences are with respect to both inputs, or along one direction.
 #[test]
 fn the_first_random_points_of_all_parts_are_checked_closely() {
     let subject = Subject::of::<ContactForce>();
@@ -216,7 +216,7 @@ fn the_first_random_points_of_all_parts_are_checked_closely() {
     assert_eq!([CLOSELY_AT - 1, CLOSELY_AT].map(checks), [2, 1]);
 }
 
-/// ∂f₁/∂f2 = 1, beside which f2 = ∂f₁/∂e2a₁ is large.
+/// ∂f₁/∂f2 = 1, compared with which f2 = ∂f₁/∂e2a₁ is large.
 #[test]
 fn an_entry_that_is_not_nothing_is_judged_by_itself() {
     let subject = Subject::of::<crate::connector::slot::ConstraintForce>();
@@ -231,7 +231,7 @@ fn an_entry_that_is_not_nothing_is_judged_by_itself() {
     assert_eq!([0.0, 1e-61, 1e-55].map(failures), [(24, 0), (24, 0), (24, 1)]);
 }
 
-/// At 1e-21 beside the tie, relatively, the first step is too long and the second is not.
+/// At a relative distance of 1e-21 from the tie, the first step is too long and the second is not.
 #[test]
 fn differences_are_by_the_first_step_at_random_points_and_by_the_best_at_others() {
     let subject = Subject::of::<ReturnMap>();
@@ -245,7 +245,7 @@ fn differences_are_by_the_first_step_at_random_points_and_by_the_best_at_others(
     };
     let both = |beside, off| [true, false].map(|random| failures(random, beside, off));
     assert_eq!(both(1.0, 0.0), [(3, 0), (3, 0)]);
-    // Slipping, it does not depend on the trial force.
+    // During slip, it does not depend on the trial force.
     assert_eq!(both(1.0, 1e-40), [(3, 2), (3, 0)]);
     assert_eq!(both(1.0, 1e-30), [(3, 2), (3, 2)]);
     assert_eq!(both(2e-21, 0.0), [(3, 3), (3, 0)]);
@@ -256,7 +256,7 @@ fn differences_are_by_the_first_step_at_random_points_and_by_the_best_at_others(
     assert_eq!((audit.ad_against_differences.checks, audit.ad_against_differences.failures), (24, 0));
 }
 
-/// Of f = f2 e2a + f3 e3a, the second component, which is off by 10⁻⁵⁰.
+/// For f = f2 e2a + f3 e3a, the second component is off by 10⁻⁵⁰.
 #[test]
 fn values_of_an_equation_are_judged_by_their_own_gradients() {
     let subject = Subject::of::<crate::connector::slot::ConstraintForce>();
@@ -266,7 +266,7 @@ fn values_of_an_equation_are_judged_by_their_own_gradients() {
     let (mut values, closed) = ((subject.exact_value)(&point.exact), (subject.exact_jacobian)(&point.exact));
     values[1] += Octuple::from(1e-50);
     let mut gradients = vec![Octuple::zero(); 24];
-    // By f2, which is 3.
+    // The derivative with respect to f2, which is 3.
     gradients[8 + 6] = Octuple::from(1e10);
     let mut claims = [(); 2].map(|()| Claim::new("the equation is the value", EQUATION));
     let bend = |_| Sensitivity::none();
@@ -277,7 +277,7 @@ fn values_of_an_equation_are_judged_by_their_own_gradients() {
     assert!((worst.size * 3e60 - 1.0).abs() < 1e-8 && worst.entry.ends_with("[1]"), "{worst:?}");
 }
 
-/// Of sides over several steps those count that differ least; and only where the derivative jumps there indeed.
+/// Of the sides over several steps those count that differ least; and only if the derivative actually jumps there.
 #[test]
 fn sides_that_differ_are_looked_at_once_more() {
     let subject = Subject::of::<Friction>();
@@ -292,7 +292,7 @@ fn sides_that_differ_are_looked_at_once_more() {
         let worst = audit.kinks.worst.expect("it was checked");
         (worst.size, worst.expected, worst.found, worst.entry)
     };
-    // P = |f1| has a corner at f1 = 0, by f1 alone.
+    // P = |f1| has a corner at f1 = 0, with respect to f1 only.
     let [corner, smooth] = [0.0, 1.0].map(|f1| [f1, 3.0, 4.0, 1.0, 0.25]);
     let of = |entry, scale, sides: &[[f64; 2]]| checked(corner, entry, scale, sides).0;
     assert_eq!(of(0, 4.0, &[[1.0, -3.0]]), 0.5);
@@ -303,18 +303,18 @@ fn sides_that_differ_are_looked_at_once_more() {
     assert_eq!(of(1, 4.0, &[[1.0, -3.0]]), 0.0);
     assert_eq!(checked(smooth, 0, 4.0, &[[1.0, -3.0]]).0, 0.0);
     assert_eq!(checked(smooth, 0, 1e12 - 1.0, &[[0.0, 1.0]]).0, SMOOTH);
-    // The longer of two steps that are as good is shown.
+    // Of two equally good steps the longer is shown.
     let (_, below, above, entry) = checked(corner, 0, 4.0, &[[1.0, -3.0], [3.0, -1.0]]);
     assert_eq!((below, above, entry.as_str()), (1.0, -3.0, "∂p/∂f1"));
 }
 
-/// Where terms cancel, the largest of the field tells what rounding does.
+/// If the terms cancel, the largest of the field determines the rounding error.
 #[test]
 fn values_are_rounded_by_their_own_size_or_by_that_of_their_field() {
     let subject = Subject::of::<crate::connector::slot::ConstraintForce>();
     let point = point(&subject, true, &[0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 3.0, 4.0]);
     let rounding = rounding_of_values(&point, &Exact::at(&point));
-    // f = f2 e2a + f3 e3a = (0, 3, 4), each with what both its factors do.
+    // f = f2 e2a + f3 e3a = (0, 3, 4), each with the contributions of both its factors.
     assert_eq!(rounding.iter().map(|size| size.size().to_f64()).collect::<Vec<_>>(), [4.0, 9.0, 12.0]);
 }
 

@@ -1,4 +1,4 @@
-//! Numbers in 237 bits beside what they should be.
+//! Comparison of numbers in 237 bits with their expected values.
 
 use super::linear::Matrix;
 use crate::Octuple;
@@ -6,18 +6,18 @@ use crate::toolkit::verify::claim::Claim;
 use crate::toolkit::verify::point::Point;
 use num_traits::{Signed, Zero};
 
-/// Closed forms and automatic differentiation agree in 237 bits to this, and laws hold.
+/// The tolerance in 237 bits between closed forms and automatic differentiation, and for laws.
 pub(super) const EXACT: f64 = 1e-60;
-/// Automatic differentiation and differences agree in 237 bits to this: at hard points digits are lost.
+/// The tolerance in 237 bits between automatic differentiation and differences: at hard points digits are lost.
 pub(super) const DIFFERENCES: f64 = 1e-35;
-/// What is this part of the largest number, or less, is what rounding in 237 bits may have left of it.
+/// Numbers below this fraction of the largest are also judged relative to the largest, as rounding errors in 237 bits.
 const NOTHING: f64 = 1e-8;
 
 pub(super) fn largest(numbers: impl Iterator<Item = Octuple>) -> Octuple {
     numbers.fold(Octuple::zero(), |most, x| if x.abs() > most { x.abs() } else { most })
 }
 
-/// Every number beside its size; what is nothing beside the largest, beside that.
+/// Compares every number relative to its size plus a fraction of the largest size.
 pub(super) fn compare(
     claim: &mut Claim,
     point: &Point,
@@ -36,7 +36,7 @@ pub(super) fn compare(
     }
 }
 
-/// Judged beside a size.
+/// Records a difference relative to a size.
 pub(super) fn record(
     claim: &mut Claim,
     point: &Point,

@@ -1,4 +1,4 @@
-//! An element that rubs, or does not, at a point: its numbers in their places, and their derivatives.
+//! An element with or without friction at a point: its numbers as matrices, and their derivatives.
 
 use super::compare::{DIFFERENCES, largest};
 use super::linear::{Matrix, Vector, column};
@@ -15,31 +15,31 @@ use nalgebra::{Const, DMatrix, DVector, SVector, U1};
 use num_dual::Derivative;
 use num_traits::{One, Signed, Zero};
 
-/// The numbers of an element in order: what it computes from, and what stands in the rows and columns of its results.
+/// The order of an element's numbers: its inputs, and the rows and columns of its results.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Layout {
     /// The degrees of freedom.
     pub unknowns: &'static [Field],
-    /// What acts on them.
+    /// The forces and moments on them.
     pub forces: &'static [Field],
     /// The residuals.
     pub residuals: &'static [Field],
-    /// Their multipliers.
+    /// The multipliers of the residuals.
     pub multipliers: &'static [Field],
-    /// Where the nodes are, and how they are turned.
+    /// Positions and orientations of the nodes.
     pub nodes: &'static [Field],
-    /// What was measured at the start.
+    /// Measurements in the initial configuration.
     pub start: &'static [Field],
-    /// How it rubs; empty where it cannot.
+    /// Parameters of friction; empty if it has none.
     pub contact: &'static [Field],
-    /// What friction remembers.
+    /// The state of friction.
     pub state: &'static [Field],
 }
 
-/// Residuals, rows, forces, stiffness, derivative by the multipliers; then comes the state.
+/// Residuals, rows, forces, stiffness, derivative with respect to the multipliers; the state follows.
 const PARTS: usize = 5;
 
-/// So many components.
+/// The number of components.
 pub(super) fn count(fields: &[Field]) -> usize {
     fields.iter().map(Field::len).sum()
 }
@@ -74,7 +74,7 @@ impl Layout {
         count(self.residuals)
     }
 
-    /// The matrix of what stands at these places of the results.
+    /// The results as matrices.
     pub(crate) fn part<T: nalgebra::Scalar>(&self, results: &[T]) -> Found<T> {
         let (n, m) = (self.degrees(), self.conditions());
         let mut rest = results;
@@ -145,7 +145,7 @@ pub(super) struct Names {
     /// Degrees of freedom, then multipliers.
     pub(super) variables: Vec<String>,
     pub(super) results: Vec<String>,
-    /// To which block of which part each result belongs.
+    /// The part, row block and column block of each result.
     pub(super) blocks: Vec<[usize; 3]>,
 }
 
@@ -156,7 +156,7 @@ impl Names {
     }
 }
 
-/// The results in their places.
+/// The results as matrices.
 pub(crate) struct Found<T = Octuple> {
     pub(crate) residuals: DVector<T>,
     pub(crate) rows: DMatrix<T>,
@@ -167,26 +167,26 @@ pub(crate) struct Found<T = Octuple> {
 }
 
 impl Found {
-    /// Residuals, rows, forces, stiffness and derivative by the multipliers.
+    /// Residuals, rows, forces, stiffness and derivative with respect to the multipliers.
     pub(super) fn matrices(&self) -> [Matrix; 5] {
         let Self { residuals, rows, forces, stiffness, by_multipliers, .. } = self;
         [column(residuals), rows.clone(), column(forces), stiffness.clone(), by_multipliers.clone()]
     }
 }
 
-/// An element that rubs, or does not.
+/// An element with or without friction.
 pub(crate) struct Form {
     pub(crate) rubs: bool,
     pub(crate) subject: Subject,
     pub(super) has_exact_rows: bool,
     pub(super) held: fn(&[Octuple]) -> Vec<Octuple>,
-    /// How the inputs change with a degree of freedom.
+    /// The derivative of the inputs with respect to a degree of freedom.
     motion: fn(&[Octuple], usize) -> Vec<Octuple>,
-    /// What rubs, from the inputs and the state after.
+    /// The friction forces, from the inputs and the state after the step.
     rubbed: fn(&[Number], &[Number]) -> Vec<Rubbed<Number>>,
 }
 
-/// A number that changes along a few directions.
+/// A number with derivatives along a few directions.
 type Number = Sweep<Octuple>;
 
 impl Form {
@@ -214,7 +214,7 @@ impl Form {
         }
     }
 
-    /// All that is known exactly at a point.
+    /// All exact results at a point.
     pub(super) fn at(&self, layout: &Layout, inputs: Vec<Octuple>) -> Here {
         let values = (self.subject.exact_value)(&inputs);
         let gradients = self.subject.derivative(&inputs);
@@ -252,7 +252,7 @@ impl Form {
         layout.part(&(self.subject.exact_value)(inputs))
     }
 
-    /// How the inputs change with every degree of freedom and every multiplier.
+    /// The derivatives of the inputs with respect to every degree of freedom and every multiplier.
     fn directions(&self, layout: &Layout, inputs: &[Octuple]) -> Vec<Vec<Octuple>> {
         let first = count(layout.nodes);
         let multiplier = |m: usize| {
@@ -263,8 +263,8 @@ impl Form {
         degrees.chain((0..layout.conditions()).map(multiplier)).collect()
     }
 
-    /// The derivatives of residuals and forces along a motion of everything, by differences and by automatic differentiation, and
-    /// what they are judged beside.
+    /// The derivatives of residuals and forces along a motion of everything, by differences and by automatic
+    /// differentiation, and the sizes they are judged by.
     pub(super) fn along(&self, layout: &Layout, here: &Here, label: &str) -> [Vec<Octuple>; 3] {
         let mut sampler = Sampler::named(&format!("{} along {label}", self.subject.spec.id), 0);
         let Here { inputs, directions, .. } = here;
@@ -336,30 +336,30 @@ fn slope(x: &Sweep<Octuple>, direction: usize) -> Octuple {
     x.eps.unwrap_generic(Const::<WIDTH>, U1)[direction]
 }
 
-/// The k-th input, which changes along so many directions.
+/// The k-th input, with its derivatives along these directions.
 fn seed(x: Octuple, directions: &[Vec<Octuple>], k: usize) -> Sweep<Octuple> {
     let along = |d: usize| directions.get(d).map_or_else(Octuple::zero, |direction| direction[k]);
     Sweep::new(x, Derivative::some(SVector::from_fn(|d, _| along(d))))
 }
 
-/// Derivatives by the degrees of freedom and the multipliers.
+/// Derivatives with respect to the degrees of freedom and the multipliers.
 pub(super) struct Derivatives {
     pub(super) residuals: Matrix,
     pub(super) forces: Matrix,
-    /// Of the free motions that rub, by the degrees of freedom.
+    /// The derivatives of the displacements against which friction acts, with respect to the degrees of freedom.
     motions: Matrix,
 }
 
-/// What is known at a point.
+/// The exact results at a point.
 pub(super) struct Here {
     pub(super) inputs: Vec<Octuple>,
-    /// How these change with every degree of freedom and every multiplier.
+    /// The derivatives of the inputs with respect to every degree of freedom and every multiplier.
     directions: Vec<Vec<Octuple>>,
     multipliers: Vector,
     pub(super) results: Vec<Octuple>,
-    /// Of every result, what it changes by when every input changes by one part, and its own size.
+    /// For every result, its sensitivity to the inputs plus its own size.
     pub(super) scales: Vec<Octuple>,
-    /// Both in their places.
+    /// Both as matrices.
     pub(super) found: Found,
     pub(super) sizes: Found,
     pub(super) derivative: Derivatives,
@@ -367,18 +367,18 @@ pub(super) struct Here {
 }
 
 impl Here {
-    /// rowsᵀ λ, and frictions against their motions.
+    /// rowsᵀ λ, and the friction forces against their motions.
     pub(super) fn work(&self) -> Vector {
         let frictions = Vector::from_iterator(self.rubbed.len(), self.rubbed.iter().map(|rubbed| rubbed.force[1]));
         self.found.rows.transpose() * &self.multipliers - self.derivative.motions.transpose() * frictions
     }
 }
 
-/// An element without its types.
+/// An element with its types erased.
 pub(crate) struct ElementSubject {
     pub(crate) spec: Spec,
     pub(crate) layout: Layout,
-    /// Smooth, and rubbing where it can.
+    /// Without friction, and with friction if it can have any.
     pub(crate) forms: Vec<Form>,
 }
 

@@ -1,5 +1,5 @@
-//! Golden files of elements: state and parameters in, right-hand side and matrix out, which is what an element of another program
-//! is tested against.
+//! Golden files of elements: state and parameters in, right-hand side and matrix out, against which an element in
+//! another program is tested.
 
 use super::form::{ElementSubject, Form, Layout};
 use crate::Octuple;
@@ -14,7 +14,7 @@ use serde_json::{Map, Value};
 /// The version of the layout of golden files of elements.
 pub const ELEMENT_LAYOUT: u32 = 1;
 
-/// So many cases drawn at random, smooth and rubbing: each has hundreds of numbers.
+/// The number of random cases, without and with friction: each has hundreds of numbers.
 const RANDOM: usize = 8;
 
 /// The golden file of one element.
@@ -162,7 +162,7 @@ pub(crate) fn of(element: &ElementSubject) -> ElementFile {
     }
 }
 
-/// All cases of a form, of which there are so many; what is refused stands in the file once, with all that can be.
+/// All cases of one of `forms` forms; invalid cases are in the file only once, with the most complete form.
 fn of_form<'a>(form: &'a Form, layout: &'a Layout, forms: usize) -> impl Iterator<Item = ElementRecord> + 'a {
     let is_last = form.rubs || forms == 1;
     let all = cases_with(&form.subject, RANDOM);
@@ -193,17 +193,17 @@ fn record(form: &Form, layout: &Layout, case: &Case<Vec<f64>>) -> ElementRecord 
     record
 }
 
-/// What is this part of its scale, or less, is what rounding in 237 bits has left of terms that cancel.
+/// Numbers below this fraction of their scale are rounding errors in 237 bits of terms that cancel.
 const NOTHING: f64 = 1e-60;
 
-/// A number with its scale as golden files have it.
+/// A number with its scale as in golden files.
 fn exact_beside_scale(y: Octuple, gradient: &[Octuple], inputs: &[Octuple]) -> (Octuple, f64) {
     let scale = Sensitivity::new(gradient, inputs).plus(y).size();
     let is_nothing = y.abs() <= scale * NOTHING;
     (if is_nothing { Octuple::zero() } else { y }, four_digits_up(scale.to_f64()))
 }
 
-/// Numbers in their places.
+/// Numbers as matrices.
 fn out(form: &Form, layout: &Layout, results: &[f64]) -> Out {
     let found = layout.part(results);
     let rows = |matrix: &nalgebra::DMatrix<f64>| matrix.row_iter().map(|row| row.iter().copied().collect()).collect();

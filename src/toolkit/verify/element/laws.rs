@@ -1,4 +1,4 @@
-//! What mechanics demands of an element.
+//! The mechanical laws of an element.
 
 use super::compare::{EXACT, largest, record};
 use super::form::{ElementSubject, Form, Here, Layout, count};
@@ -12,7 +12,7 @@ use crate::toolkit::verify::invariance::{moved, reach, rescale};
 use crate::toolkit::verify::point::Point;
 use num_traits::{One, Signed, Zero};
 
-/// Rows that are independent to less than this hold nothing twice.
+/// Rows whose independent part is smaller than this are redundant.
 const DEPENDENT: f64 = 1e-40;
 
 /// The claims.
@@ -86,7 +86,7 @@ impl Laws {
         }
     }
 
-    /// Rigid-body motions about the first node.
+    /// Checks the balance in rigid-body motions about the first node.
     fn check_balance(&mut self, layout: &Layout, point: &Point, held: &Here) {
         for motion in rigid_motions(layout, &held.inputs) {
             let work = dot(motion.as_slice(), held.found.forces.as_slice());
@@ -123,7 +123,7 @@ impl Laws {
             columns(&rows(&found.stiffness, layout.unknowns), layout.forces),
             columns(&found.by_multipliers, layout.forces),
         ];
-        // Cancellation leaves a rounding of the inputs' size in numbers of any size.
+        // Cancellation leaves rounding errors proportional to the inputs, in numbers of any size.
         let size = point.exact.iter().fold(one, |size, x| size + x.abs());
         compare_all(claim, point, &turned.matrices(), &expected, &here.sizes.matrices(), size * size);
     }
@@ -180,7 +180,7 @@ impl Laws {
     }
 }
 
-/// Every number, each beside its scale and the largest one of its matrix, and what rounding may have left.
+/// Compares every number relative to its scale, to the largest number of its matrix, and to the possible rounding error.
 fn compare_all(
     claim: &mut Claim,
     point: &Point,
@@ -198,7 +198,7 @@ fn compare_all(
     }
 }
 
-/// Translations and turns of the whole model: what the degrees of freedom do in each.
+/// Translations and rotations of the whole model, as values of the degrees of freedom.
 fn rigid_motions(layout: &Layout, inputs: &[Octuple]) -> Vec<Vector> {
     let mut places = Vec::new();
     let mut first = 0;
@@ -240,7 +240,7 @@ fn rigid_motions(layout: &Layout, inputs: &[Octuple]) -> Vec<Vector> {
     translations.chain(turns).collect()
 }
 
-/// K − Kᵀ is −[m×] where a node's own spin works on its moment.
+/// K − Kᵀ is −[m×] in the block of a node's own spin, with the moment m on that node.
 fn check_symmetry(claim: &mut Claim, layout: &Layout, point: &Point, here: &Here) {
     let (k, scales) = (&here.found.stiffness, &here.sizes.stiffness);
     let mut expected = Matrix::zeros(k.nrows(), k.ncols());

@@ -12,7 +12,7 @@ pub(super) fn dot(a: &[Octuple], b: &[Octuple]) -> Octuple {
     a.iter().zip(b).fold(Octuple::zero(), |sum, (&a, &b)| sum + a * b)
 }
 
-/// The least part of a row that is independent of the rows before it.
+/// The smallest relative size of the part of a row that is independent of the rows before it.
 pub(super) fn independence(rows: &Matrix) -> f64 {
     let mut directions: Vec<Vec<Octuple>> = Vec::new();
     let mut least = f64::INFINITY;

@@ -1,4 +1,4 @@
-//! Every element passes, and none with a mistake does.
+//! Every element passes, and no faulty one does.
 
 use super::{ElementAudit, audit_element};
 use crate::connector::align::AlignElement;
@@ -50,28 +50,28 @@ fn every_element_passes() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
-/// What is wrong with an element.
+/// A fault of an element.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Mistake {
-    /// A row has the other sign, and all that follows from it.
+    /// A row has the opposite sign, with all consequences.
     Sign,
-    /// The block by the spin of the first node is transposed.
+    /// The block for the spin of the first node is transposed.
     Transposed,
-    /// The matrix is symmetrised, as if by rotation vectors.
+    /// The matrix is symmetrised, as if for rotation vectors.
     Symmetrised,
-    /// The moment on the first node, and what it changes with, are left out.
+    /// The moment on the first node and its derivatives are omitted.
     NoMoment,
-    /// Friction is left out, but not what is remembered.
+    /// Friction is omitted, but not its state.
     NoFriction,
-    /// A tangent of friction that is too stiff, as that of stick in slip.
+    /// The friction tangent is too stiff: that of stick is used during slip.
     Stick,
-    /// What friction does is the same whatever presses.
+    /// Friction does not depend on the normal force.
     FollowsNothing,
-    /// Friction has the other sign.
+    /// Friction has the opposite sign.
     Pushes,
 }
 
-/// An element with a mistake, by its number in the list above.
+/// An element with a fault, given by its index in the list above.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Wrong<E, const MISTAKE: usize>(PhantomData<E>);
 
@@ -123,7 +123,7 @@ impl<E: Element<M, DOFS>, const K: usize, const M: usize, const DOFS: usize> Ele
         let parameters = right(parameters);
         let (mut found, after) = parameters.contribution(nodes, multipliers, before);
         let (smooth, _) = parameters.smooth().contribution(nodes, multipliers, before);
-        // Degrees of freedom of the spin of the first node, in space and in the plane.
+        // Degrees of freedom for the spin of the first node, in space and in the plane.
         let spin = if DOFS == 6 { 2..3 } else { 3..6 };
         match MISTAKES[K] {
             Mistake::Sign => found.rows.row_mut(0).neg_mut(),
@@ -178,12 +178,13 @@ impl<E: ProvedElement<M, DOFS>, const K: usize, const M: usize, const DOFS: usiz
     }
 }
 
-/// The claims that do not hold of an element with a mistake.
+/// The claims that fail for a faulty element.
 fn caught<E: ProvedElement<M, DOFS>, const K: usize, const M: usize, const DOFS: usize>() -> Vec<String> {
     failed(&audit_element::<Wrong<E, K>, M, DOFS>(&Options { samples: 1, seed: 1 }))
 }
 
-/// Which mistakes nobody noticed. In the plane, where turns commute, the matrix is symmetric, and it is no mistake to make it so.
+/// The faults that went unnoticed. In the plane, where rotations commute, the matrix is symmetric, so that
+/// symmetrising it is no fault.
 fn unnoticed<E: ProvedElement<M, DOFS>, const M: usize, const DOFS: usize>(
     has_moments: bool,
     is_symmetric: bool,

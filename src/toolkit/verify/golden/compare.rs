@@ -1,4 +1,4 @@
-//! What differs between two golden files.
+//! The differences between two golden files.
 
 use super::file::{File, Record};
 use serde::Serialize;
@@ -6,7 +6,7 @@ use serde_json::{Map, Value};
 use std::fmt;
 
 impl File {
-    /// What differs in `other`, which has been read from the committed file, from this one.
+    /// The differences of `other`, which has been read from the committed file, from this one.
     pub fn differences(&self, other: &Self) -> Vec<Difference> {
         let mut differences = Vec::new();
         for case in &self.cases {
@@ -48,7 +48,7 @@ fn compare_values(case: &str, field: &str, committed: &Value, now: &Value, diffe
                 compare_values(case, &format!("{field}[{k}]"), committed, now, differences);
             }
         }
-        // -0.0 and 0.0 are equal, but not the same text.
+        // -0.0 and 0.0 are equal, but differ as text.
         _ if text(committed) == text(now) => {}
         _ => {
             let mut difference = Difference::new(case, field, &text(committed), &text(now));
@@ -62,7 +62,7 @@ fn text(value: &Value) -> String {
     value.to_string()
 }
 
-/// How many doubles lie between two doubles.
+/// The number of doubles between two doubles.
 pub fn ulps(a: f64, b: f64) -> u64 {
     let ordered = |x: f64| {
         let magnitude = i128::from(x.abs().to_bits());
@@ -71,16 +71,16 @@ pub fn ulps(a: f64, b: f64) -> u64 {
     u64::try_from(ordered(a).abs_diff(ordered(b))).unwrap_or(u64::MAX)
 }
 
-/// A difference between a committed golden file and what the code says.
+/// A difference between a committed golden file and the current results.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Difference {
     /// The case.
     pub case: String,
-    /// The field: `out.fc`, `jac.fc.f2`; empty where the whole case differs.
+    /// The field: `out.fc`, `jac.fc.f2`; empty if the whole case differs.
     pub field: String,
-    /// What the committed file says.
+    /// The value in the committed file.
     pub committed: String,
-    /// What the code says.
+    /// The current value.
     pub now: String,
     /// Their distance, for numbers.
     pub ulps: Option<u64>,

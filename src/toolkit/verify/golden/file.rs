@@ -1,4 +1,4 @@
-//! What is in a golden file, and its text.
+//! The content of a golden file, and its text.
 
 use super::layout::render;
 use super::schema;
@@ -10,7 +10,7 @@ use serde_json::{Map, Value};
 
 /// The version of the layout of golden files.
 pub const LAYOUT: u32 = 2;
-/// At least this many valid cases a formula.
+/// The least number of valid cases per formula.
 pub const LEAST_CASES: usize = 32;
 
 /// The golden file of one formula.
@@ -174,7 +174,7 @@ impl File {
     /// Reads a file.
     ///
     /// # Errors
-    /// What is wrong with the text, and where; also a layout of another version.
+    /// The fault in the text and its position; also another version of the layout.
     pub fn parse(text: &str) -> serde_json::Result<Self> {
         let file: Self = serde_json::from_str(text)?;
         match file.layout {

@@ -1,9 +1,9 @@
-//! Which parts of a golden file stand on lines of their own.
+//! The line breaks of golden files.
 
 use serde::Serialize;
 use std::io::{Result, Write};
 
-/// Objects are opened down to the fields of a case, everything below stands on one line.
+/// Objects are broken into lines down to the fields of a case; everything below is on one line.
 #[derive(Default)]
 pub(super) struct Layout {
     depth: usize,
@@ -79,7 +79,7 @@ mod tests {
     use super::*;
     use serde_json::json;
 
-    /// The root, its lists, and the cases are opened; what is below, and a list of numbers, are not.
+    /// The root, its lists, and the cases are broken into lines; lower levels and lists of numbers are not.
     #[test]
     fn each_field_of_a_case_has_a_line() {
         let value = json!({

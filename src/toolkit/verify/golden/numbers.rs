@@ -1,4 +1,4 @@
-//! Numbers of golden files by the names of their fields.
+//! Numbers of golden files, named by their fields.
 
 use crate::Error;
 use crate::formula::Field;
@@ -40,10 +40,10 @@ fn nested(shape: &[usize], numbers: &mut dyn Iterator<Item = &f64>) -> Value {
     }
 }
 
-/// A scale as golden files print it: rounded up to four digits, so that no η comes out larger than it is.
+/// A scale as printed in golden files: rounded up to four digits, so that no η is overestimated.
 ///
-/// What is above four digits by less than a part in 2⁴⁰ is not rounded up, so that rounding in the last of 237 bits, where
-/// the scale has four digits or fewer, does not decide.
+/// An excess over four digits of less than a part in 2⁴⁰ is ignored, so that a rounding error in the last of 237 bits
+/// does not decide if the scale has four digits or fewer.
 pub(in crate::toolkit::verify) fn four_digits_up(scale: f64) -> f64 {
     let least = scale * (1.0 - 2.0_f64.powi(-40));
     let text = format!("{scale:.3e}");
@@ -60,7 +60,7 @@ pub(in crate::toolkit::verify) fn four_digits_up(scale: f64) -> f64 {
 /// The components of inputs that are given by name, as in golden files.
 ///
 /// # Errors
-/// [`Error::Unreadable`] naming what is missing, unknown, or not of its shape.
+/// [`Error::Unreadable`], naming the input that is missing, unknown, or of the wrong shape.
 pub fn components(fields: &[Field], inputs: &Map<String, Value>) -> Result<Vec<f64>, Error> {
     if let Some(unknown) = inputs.keys().find(|name| fields.iter().all(|field| field.name != *name)) {
         let names: Vec<_> = fields.iter().map(|field| field.name).collect();
@@ -75,7 +75,7 @@ pub fn components(fields: &[Field], inputs: &Map<String, Value>) -> Result<Vec<f
     Ok(components)
 }
 
-/// The reverse of [`nested`]; `None` where the value is not of this shape.
+/// The reverse of [`nested`]; `None` if the value has another shape.
 fn flatten(shape: &[usize], value: &Value, into: &mut Vec<f64>) -> Option<()> {
     match (shape, value) {
         ([], value) => into.push(double(value)?),
@@ -107,7 +107,7 @@ pub(in crate::toolkit::verify) fn double(value: &Value) -> Option<f64> {
     }
 }
 
-/// A double, in JSON, which has no NaN and no infinity.
+/// A double as JSON, which has no NaN and no infinity.
 pub(in crate::toolkit::verify) fn number(x: f64) -> Value {
     serde_json::Number::from_f64(x).map_or_else(
         || {
@@ -137,7 +137,7 @@ mod tests {
             (12.345, 12.35),
             (12.3401, 12.35),
             (12.34, 12.34),
-            // What rounding left above four digits is not rounded up.
+            // An excess over four digits due to rounding is ignored.
             (12.340_000_000_000_002, 12.34),
             (12.340_000_001, 12.35),
             (9999.5, 10000.0),
@@ -147,7 +147,7 @@ mod tests {
         ] {
             assert_eq!(four_digits_up(scale), expected, "{scale}");
         }
-        // Of twelve digits a part in 2⁴⁰ is the last one.
+        // Of twelve digits, a part in 2⁴⁰ is the last one.
         assert_eq!(four_digits_up(2.0 * (1.0 + 1.5 * 2.0_f64.powi(-41))), 2.0);
         assert_eq!(four_digits_up(2.0 * (1.0 + 2.0_f64.powi(-39))), 2.001);
     }
@@ -163,7 +163,7 @@ mod tests {
         assert_eq!(super::components(&FIELDS, &named).unwrap(), components);
     }
 
-    /// Rows of outputs, columns of inputs: nested by the shape of the output and within it by that of the input.
+    /// Rows are outputs, columns are inputs: nested by the shape of the output and within it by that of the input.
     #[test]
     fn entries_of_a_jacobian_are_nested_by_both_shapes() {
         let [inputs, outputs] =

@@ -1,4 +1,4 @@
-//! What the named numbers of golden files look like in JSON; only the schemas of these types are used.
+//! The JSON form of the named numbers in golden files; only the schemas of these types are used.
 #![expect(dead_code, reason = "never constructed: the files are written from plain JSON values")]
 
 use schemars::JsonSchema;

@@ -1,4 +1,4 @@
-//! The places where a formula may have no derivative: its comparisons and guarded zeros, as its graph has them.
+//! Candidates for kinks: the comparisons and guarded zeros in the graph of a formula, where it may have no derivative.
 
 use super::words::Words;
 use crate::formula::Field;
@@ -8,25 +8,25 @@ use crate::toolkit::verify::Subject;
 use crate::toolkit::verify::point::Names;
 use std::collections::HashSet;
 
-/// What a number is equal to at such a place.
+/// The other side of an equality that defines a candidate.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Other {
     /// Another result.
     Node(Node),
     /// A number.
     Number(f64),
-    /// The power of two above it: where it passes that, the one below it jumps.
+    /// The power of two above the number: at that point, the power of two below it jumps.
     PowerOfTwo,
 }
 
-/// A place where a formula may have no derivative.
+/// A condition under which a formula may have no derivative.
 #[derive(Clone)]
 pub(super) struct Candidate {
-    /// The operation that has none there.
+    /// The operation without a derivative.
     pub(super) node: Node,
-    /// The place in words.
+    /// The condition in words.
     pub(super) words: String,
-    /// It is where each of these numbers is equal to the other,
+    /// It holds if the two numbers of each pair are equal,
     pub(super) pairs: Vec<(Node, Other)>,
     /// and this one is negative.
     pub(super) negative: Option<Node>,
@@ -42,7 +42,7 @@ pub(super) fn candidates(subject: &Subject, graph: &Graph, names: &Names) -> Vec
     let mut all = Vec::new();
     for node in graph.needed(&graph.value) {
         for mut candidate in seen.places(node) {
-            // What is asked only where numbers are equal is at no other place.
+            // A condition evaluated only where numbers are equal is a candidate only there.
             for guard in guards[node.index()].iter().flat_map(|&guard| seen.places(guard)) {
                 candidate.words = format!("{} and {}", candidate.words, guard.words);
                 candidate.pairs.extend(guard.pairs);
@@ -55,7 +55,7 @@ pub(super) fn candidates(subject: &Subject, graph: &Graph, names: &Names) -> Vec
     all
 }
 
-/// Of every operation the equalities without which the value does not depend on it.
+/// For every operation, the equalities without which the value does not depend on it.
 fn guards(graph: &Graph) -> Vec<Vec<Node>> {
     let mut guards: Vec<Option<Vec<Node>>> = vec![None; graph.ops().len()];
     graph.value.iter().for_each(|node| guards[node.index()] = Some(Vec::new()));
@@ -76,7 +76,7 @@ fn guards(graph: &Graph) -> Vec<Vec<Node>> {
     guards.into_iter().map(Option::unwrap_or_default).collect()
 }
 
-/// The equalities that hold where an answer is yes.
+/// The equalities that hold if a Boolean is true.
 fn equalities(graph: &Graph, answer: Node) -> Vec<Node> {
     match graph.op(answer) {
         Op::Compare(Relation::Equal, ..) => vec![answer],
@@ -84,7 +84,7 @@ fn equalities(graph: &Graph, answer: Node) -> Vec<Node> {
     }
 }
 
-/// A graph, and what is known of its inputs.
+/// A graph, and the facts known about its inputs.
 struct Seen<'a> {
     graph: &'a Graph,
     words: Words<'a>,
@@ -92,7 +92,7 @@ struct Seen<'a> {
 }
 
 impl Seen<'_> {
-    /// Where an operation may have no derivative.
+    /// The conditions under which an operation may have no derivative.
     fn places(&self, node: Node) -> Vec<Candidate> {
         let of = |node| self.words.of(node);
         let place = |words: String, pairs| Candidate { node, words, pairs, negative: None };
@@ -104,7 +104,7 @@ impl Seen<'_> {
         match self.graph.op(node) {
             Op::Compare(_, x, y) | Op::Binary(Binary::Maximum, x, y) => {
                 match [self.graph.constant(*x), self.graph.constant(*y)] {
-                    // Of finite numbers none is on it.
+                    // No finite numbers satisfy it.
                     [Some(c), _] | [_, Some(c)] if c.is_infinite() => Vec::new(),
                     [Some(0.0), _] => zero(*y),
                     [_, Some(0.0)] => zero(*x),
@@ -129,7 +129,7 @@ impl Seen<'_> {
         }
     }
 
-    /// The results that are all 0 where this one is; a sum of squares is 0 only where every term is.
+    /// The results that all vanish where this one does; a sum of squares is 0 only if every term is.
     fn vanish(&self, node: Node) -> Vec<Node> {
         match self.graph.op(node) {
             Op::Number(bits) if f64::from_bits(*bits) == 0.0 => Vec::new(),
@@ -147,7 +147,7 @@ impl Seen<'_> {
         }
     }
 
-    /// Whether it is a factor that is never 0: a number, a power of two, an input above 0, or made of these.
+    /// Whether it is a factor that is never 0: a number, a power of two, a positive input, or a product of these.
     fn is_factor(&self, node: Node) -> bool {
         match self.graph.op(node) {
             Op::Number(bits) => f64::from_bits(*bits) != 0.0,
@@ -158,7 +158,7 @@ impl Seen<'_> {
         }
     }
 
-    /// Whether the operation gives no negative number.
+    /// Whether the operation is never negative.
     fn is_size(&self, node: Node) -> bool {
         match self.graph.op(node) {
             Op::Norm(_) | Op::Unary(Unary::Absolute | Unary::Root, _) => true,
@@ -178,7 +178,7 @@ mod tests {
     use Binary::{Add, Angle, Divide, Maximum, Multiply, Subtract};
     use Unary::{Absolute, ArcSine, Negative, PowerOfTwo, Root, Sine};
 
-    /// The candidates of a value of x, y and c > 0: their words, and what is solved for.
+    /// The candidates of a value of x, y and c > 0: their words, and the equations to solve.
     fn found(value: impl FnOnce(&mut Graph, [Node; 3]) -> Vec<Node>) -> Vec<String> {
         let subject = planted(|_| Vec::new(), |_| Vec::new());
         let (mut graph, names) = (Graph::default(), Names::new(&subject));
@@ -198,7 +198,7 @@ mod tests {
         candidates(&subject, &graph, &names).into_iter().map(shown).collect()
     }
 
-    /// What is solved for where this number is 0.
+    /// The equations to solve for this number to be 0.
     fn zeros(value: impl FnOnce(&mut Graph, [Node; 3]) -> Node) -> String {
         let found = found(|graph, inputs| {
             let value = value(graph, inputs);
@@ -358,7 +358,7 @@ mod tests {
         assert_eq!(of(Subtract, [size, size]), "x x + |y| − |c| = 0");
     }
 
-    /// |y| where a condition holds that equalities of x and c with 1 are made of, else √c.
+    /// |y| if a condition made of equalities of x and c with 1 holds, else √c.
     fn guarded(condition: impl FnOnce(&mut Graph, [Node; 2]) -> Node) -> Vec<String> {
         let found = found(|graph, [x, y, c]| {
             let one = graph.number(1.0);
@@ -399,7 +399,7 @@ mod tests {
         assert_eq!(found(|_, _, [both, _]| vec![both]), "y = 0: y = 0");
         assert_eq!(found(|_, _, [_, single]| vec![single]), "y = 0 and x = 1 and c = 1: y = 0, x = 1, c = 1");
         assert_eq!(found(|_, size, [_, single]| vec![size, single]), "y = 0: y = 0");
-        // Under one of two conditions only the other is in common.
+        // Only the condition x = 1 is common to both uses.
         let partly = found(|graph, size, [_, single]| {
             let one = graph.number(1.0);
             let [x] = graph.inputs();

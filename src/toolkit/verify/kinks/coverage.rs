@@ -1,34 +1,34 @@
-//! How often each side of each comparison of a formula was taken at the points of an audit.
+//! How often each outcome of each comparison of a formula occurred at the points of an audit.
 
 use super::words::Words;
 use crate::toolkit::graph::Graph;
 use crate::toolkit::verify::branches::Branches;
 use serde::{Deserialize, Serialize};
 
-/// The comparisons of value and Jacobian, and the sides of them that no point reached.
+/// The comparisons of value and Jacobian, and the outcomes that occurred at no point.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Coverage {
-    /// How many comparisons there are.
+    /// The number of comparisons.
     pub comparisons: usize,
-    /// How often each was asked, all together.
+    /// The total number of evaluations of comparisons.
     pub asked: usize,
-    /// How many points took the side that was taken least, of those that were taken at all.
+    /// The number of points with the rarest outcome, among outcomes that occurred at all.
     pub least: usize,
-    /// What never came out so, in words.
+    /// The outcomes that never occurred, in words.
     pub never: Vec<String>,
 }
 
-/// A comparison of value and Jacobian, and how often it came out false and true.
+/// A comparison of value and Jacobian, and how often it was false and true.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Comparison {
-    /// It, in words.
+    /// The comparison in words.
     pub words: String,
     /// How often it was false, and how often true.
     pub counts: [usize; 2],
 }
 
 impl Coverage {
-    /// What the counts say.
+    /// A summary of the counts.
     pub(in crate::toolkit::verify) fn of(comparisons: &[Comparison]) -> Self {
         let never = comparisons.iter().filter_map(|Comparison { words, counts }| match counts {
             [0, 0] => Some(format!("{words}: never asked")),
@@ -42,7 +42,7 @@ impl Coverage {
     }
 }
 
-/// Runs a graph at points.
+/// Evaluates the comparisons of a graph at points.
 pub(in crate::toolkit::verify) fn comparisons<'a>(
     graph: &Graph,
     names: &[String],
@@ -74,7 +74,7 @@ mod tests {
         assert_eq!((alone.asked, alone.least, alone.never), (0, 0, vec!["x < y: never asked".to_owned()]));
     }
 
-    /// x < y, and y < 0 where it is not.
+    /// x < y, and otherwise y < 0.
     #[test]
     fn a_comparison_is_counted_at_points_that_come_to_it() {
         let mut graph = Graph::default();

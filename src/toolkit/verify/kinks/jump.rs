@@ -1,4 +1,4 @@
-//! One-sided differences at a point, in 237 bits: whether value or derivative jumps there.
+//! One-sided differences at a point, in 237 bits, which show whether value or derivative jumps there.
 
 use crate::Octuple;
 use crate::formula::Field;
@@ -6,7 +6,7 @@ use crate::toolkit::verify::Subject;
 use crate::toolkit::verify::difference::step_size;
 use num_traits::{Signed, Zero};
 
-/// What jumps on a kink.
+/// What is discontinuous at a kink.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rank {
     /// The value itself.
@@ -17,26 +17,26 @@ pub enum Rank {
     Curvature,
 }
 
-/// Two derivatives, or a derivative and its limit, differ by no more than this part of what they are made of where the
-/// formula is smooth.
+/// The tolerance for smoothness: two derivatives, or a derivative and its limit, differ by less than this relative to
+/// the terms they are made of.
 pub(in crate::toolkit::verify) const SMOOTH: f64 = 1e-12;
-/// Steps of differences, in units of the size of the inputs: a derivative that jumps does so at both.
+/// Steps of differences, in units of the size of the inputs: a derivative that jumps does so for both.
 const STEPS: [f64; 2] = [1e-24, 1e-36];
-/// Just beside a point: by so much of the size of an input that is 0, and of one that is not.
+/// The distance of a nearby point, relative to the size of an input: for an input that is 0, and for one that is not.
 const BESIDE: [f64; 2] = [1e-300, 1e-50];
-/// A step that is nearer.
+/// The factor for a shorter step.
 const NEARER: f64 = 1e-6;
-/// A value that changes by more than this part over the shorter step jumps.
+/// The value itself jumps if it changes by more than this fraction over the shorter step.
 const VALUE: f64 = 1e-3;
 
-/// By how much a derivative jumps.
+/// The jump of a derivative.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Jump {
-    /// Relative to what the derivative is made of.
+    /// Relative to the terms of the derivative.
     pub(super) size: f64,
-    /// The place of the output.
+    /// The index of the output.
     pub(super) output: usize,
-    /// The derivatives on both sides, by one unit of the direction. Where only one side is in the domain: over the longer
+    /// The derivatives on both sides, per unit of the direction. If only one side is in the domain: over the longer
     /// and the shorter step.
     pub(super) sides: [Octuple; 2],
 }
@@ -55,7 +55,7 @@ impl Jump {
     }
 }
 
-/// A formula at a point, of which its neighbourhood is asked.
+/// The neighbourhood of a point of a formula.
 pub(super) struct Neighbourhood<'a> {
     subject: &'a Subject,
     at: &'a [Octuple],
@@ -69,7 +69,7 @@ impl<'a> Neighbourhood<'a> {
         Self { subject, at, sizes, here: (subject.exact_value)(at) }
     }
 
-    /// The inputs of which both sides are in the domain, and those of which one is, with its sign.
+    /// The inputs for which both sides are in the domain, and those for which only one is, with its sign.
     pub(super) fn sides(&self, inputs: &[usize]) -> (Vec<usize>, Vec<(usize, f64)>) {
         let allows = |k: usize, sign: f64| {
             let domain = fields(self.subject.inputs)[k].quantity.domain;
@@ -80,7 +80,7 @@ impl<'a> Neighbourhood<'a> {
         (inner, edge.filter(|&(k, sign)| allows(k, sign) && !allows(k, -sign)).collect())
     }
 
-    /// How many inputs there are.
+    /// The number of inputs.
     pub(super) fn dimensions(&self) -> usize {
         self.at.len()
     }
@@ -111,7 +111,7 @@ impl<'a> Neighbourhood<'a> {
         there.iter().zip(&self.here).map(|(&there, &here)| (there - here) / step).collect()
     }
 
-    /// The derivatives along a direction as the closed form has them just beside the point, on the side of the sign.
+    /// The derivatives along a direction by the closed form at a nearby point, on the side given by the sign.
     fn beside(&self, direction: &[f64], part: f64) -> Vec<Octuple> {
         let step = |x: Octuple| if x.is_zero() { BESIDE[0] } else { BESIDE[1] };
         let moved = self.at.iter().zip(&self.sizes).zip(direction);
@@ -123,8 +123,8 @@ impl<'a> Neighbourhood<'a> {
         (self.subject.exact_jacobian)(&moved).chunks(self.at.len()).map(along).collect()
     }
 
-    /// Of every output, at a step along an input: the value, or the derivative from here to there by the input, or that of
-    /// the derivative.
+    /// For every output, at a step along an input: the value, or its difference quotient with respect to the input, or
+    /// that of the derivative.
     pub(super) fn seen(&self, rank: Rank, input: usize, step: f64) -> Vec<Octuple> {
         let (axis, unit) = (self.axis(input), self.sizes[input]);
         let of_input = |entries: Vec<Octuple>| entries.into_iter().skip(input).step_by(self.at.len());
@@ -140,12 +140,12 @@ impl<'a> Neighbourhood<'a> {
         }
     }
 
-    /// The largest jump between the two sides of the point. A side on which there is no value is outside.
+    /// The largest jump between the two sides of the point. A side without a value is outside the domain.
     pub(super) fn across(&self, direction: &[f64]) -> Jump {
         worst(self.each_across(direction))
     }
 
-    /// As [`across`](Self::across), of every output.
+    /// As [`across`](Self::across), for every output.
     pub(super) fn each_across(&self, direction: &[f64]) -> Vec<Jump> {
         let sides = |step: f64| [-step, step].map(|step| self.slopes(direction, step));
         let first = sides(STEPS[0]);
@@ -158,7 +158,7 @@ impl<'a> Neighbourhood<'a> {
         }
     }
 
-    /// Whether the derivative into the domain has a limit, where there is no other side.
+    /// Whether the derivative towards the inside of the domain has a limit, if there is no other side.
     pub(super) fn inward(&self, direction: &[f64]) -> Jump {
         worst(self.each_inward(direction))
     }
@@ -168,8 +168,8 @@ impl<'a> Neighbourhood<'a> {
         self.jumps(&both(STEPS[0]), both, |_| [1.0, NEARER].map(|part| self.beside(direction, part)))
     }
 
-    /// Whether the derivative along the sum of two directions is the sum of their derivatives, as it is where there is
-    /// a derivative at all.
+    /// Whether the derivative along the sum of two directions is the sum of the derivatives along them, as it is if
+    /// there is a derivative at all.
     pub(super) fn additive(&self, [a, b]: [&[f64]; 2]) -> Jump {
         let sum: Vec<f64> = a.iter().zip(b).map(|(a, b)| a + b).collect();
         let add = |a: Vec<Octuple>, b: Vec<Octuple>| a.into_iter().zip(b).map(|(a, b)| a + b).collect();
@@ -178,9 +178,9 @@ impl<'a> Neighbourhood<'a> {
         worst(self.jumps(&both(STEPS[0]), both, beside))
     }
 
-    /// The differences between pairs of derivatives, one an output. Where they differ over the first step they must
-    /// do so over a shorter one and, unless the value itself jumps, just beside the point: of a smooth function the
-    /// difference shrinks with the step.
+    /// The differences between pairs of derivatives, one per output. A difference over the first step must be
+    /// confirmed over a shorter one and, unless the value itself jumps, at nearby points: for a smooth function it
+    /// shrinks with the step.
     fn jumps(
         &self,
         pairs: &[Vec<Octuple>; 2],
@@ -212,7 +212,7 @@ impl<'a> Neighbourhood<'a> {
         jumps_of(&confirmed, pairs)
     }
 
-    /// The terms that rounding of each output is in proportion to: what every input does to it.
+    /// The sizes of terms that determine the rounding error of each output: the contributions of all inputs.
     fn terms(&self) -> Vec<Octuple> {
         let entries = (self.subject.exact_jacobian)(self.at);
         let finite = |x: Octuple| if x.is_finite() { x } else { Octuple::zero() };
@@ -229,7 +229,7 @@ fn fields(fields: &'static [Field]) -> Vec<&'static Field> {
     fields.iter().flat_map(|field| vec![field; field.len()]).collect()
 }
 
-/// A part of something; 0 where there is none.
+/// The quotient; 0 if the part is 0.
 fn share(part: Octuple, whole: Octuple) -> f64 {
     if part.is_zero() { 0.0 } else { (part / whole).to_f64() }
 }
@@ -239,7 +239,7 @@ fn jumps_of(sizes: &[f64], [a, b]: &[Vec<Octuple>; 2]) -> Vec<Jump> {
     sizes.iter().enumerate().map(jump).collect()
 }
 
-/// The largest; NaN, which is no derivative at all, is not a jump.
+/// The largest jump; NaN, for which there is no derivative at all, does not count.
 fn worst(jumps: Vec<Jump>) -> Jump {
     jumps.into_iter().fold(Jump::none(), Jump::or_larger)
 }

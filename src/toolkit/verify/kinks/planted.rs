@@ -1,4 +1,4 @@
-//! What the tests of the search for kinks plant: operations in a graph, and a formula of three numbers.
+//! Formulas and graphs planted in the tests of the search for kinks: operations on three numbers.
 
 use crate::connector::slot::ContactForce;
 use crate::formula::Fields;
@@ -18,10 +18,10 @@ const B: Quantity = Quantity::scalar("b", Unit::L, Domain::Real, "second result"
 fields! { pub(super) struct Inputs<T> { x: T = X, y: T = Y, c: T = C } }
 fields! { struct Outputs<T> { a: T = A, b: T = B } }
 
-/// Numbers of 237 bits from others.
+/// A function in 237 bits.
 pub(super) type Function = fn(&[Octuple]) -> Vec<Octuple>;
 
-/// A formula of x, of y from 0 to 4, and of c > 0 that has no kinks, refuses nothing, and gives a and b.
+/// A formula of x, of y from 0 to 4, and of c > 0, with outputs a and b; it has no kinks and rejects nothing.
 pub(super) fn planted(value: Function, jacobian: Function) -> Subject {
     let mut subject = Subject::of::<ContactForce>();
     (subject.inputs, subject.outputs) = (Inputs::<f64>::FIELDS, Outputs::<f64>::FIELDS);
@@ -44,13 +44,13 @@ pub(super) fn kink(condition: &str, holds: fn(&[Octuple]) -> bool, at: [f64; 3],
     }
 }
 
-/// That inputs are refused unless this holds.
+/// Rejects inputs unless this holds.
 pub(super) fn only_where(holds: bool) -> Result<(), Error> {
     let (first, second, third) = ("e1", "e2", "e3");
     if holds { Ok(()) } else { Err(Error::LeftHanded { first, second, third }) }
 }
 
-/// A graph of x, y and c that gives these.
+/// A graph with inputs x, y and c and this value.
 pub(super) fn graph(value: impl FnOnce(&mut Graph, [Node; 3]) -> Vec<Node>) -> Graph {
     let mut graph = Graph::default();
     let inputs = graph.inputs();
@@ -58,7 +58,7 @@ pub(super) fn graph(value: impl FnOnce(&mut Graph, [Node; 3]) -> Vec<Node>) -> G
     graph
 }
 
-/// Operations are planted one by one.
+/// Adds operations one by one.
 impl Graph {
     pub(super) fn inputs<const N: usize>(&mut self) -> [Node; N] {
         std::array::from_fn(|k| self.enter(Op::Input(k)))

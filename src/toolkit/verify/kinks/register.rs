@@ -1,4 +1,4 @@
-//! The registered kinks: which hold at a point, and what jumps on them.
+//! The registered kinks: which of them hold at a point, and what jumps there.
 
 use super::jump::{Neighbourhood, Rank};
 use crate::Octuple;
@@ -9,20 +9,20 @@ use crate::toolkit::verify::{Kink, Subject, exact, golden};
 use num_traits::Signed;
 use std::cell::OnceCell;
 
-/// A point that was solved for is on a kink to this part of the terms that its condition is made of.
+/// The tolerance for a computed point to be on a kink, relative to the terms of the kink's condition.
 const MET: f64 = 1e-50;
-/// Beside it, by this part.
+/// The relative distance of nearby points.
 pub(super) const BESIDE: f64 = 1e-55;
 
-/// Every input changed by this part of it.
+/// Every input changed by this relative amount.
 pub(super) fn beside(at: &[Octuple], part: f64) -> Vec<Octuple> {
     at.iter().map(|&x| x + x * part).collect()
 }
 
-/// The registered kinks of a formula, to be asked of points that were solved for.
+/// The registered kinks of a formula, to be tested at computed points.
 pub(super) struct Register<'a> {
     subject: &'a Subject,
-    /// Their conditions as they are printed; `None` where they are in words.
+    /// Their printed conditions; `None` for those in words.
     printed: OnceCell<Vec<Option<Claims>>>,
 }
 
@@ -31,10 +31,10 @@ impl<'a> Register<'a> {
         Self { subject, printed: OnceCell::new() }
     }
 
-    /// The conditions of the kinks on which a point is.
+    /// The conditions of the kinks that contain a point.
     pub(super) fn met(&self, at: &[Octuple]) -> Vec<String> {
         let printed = self.printed.get_or_init(|| self.read());
-        // A cut is at π on one side and at −π on the other.
+        // A cut has π on one side and −π on the other.
         let beside = [BESIDE, -BESIDE].map(|part| beside(at, part));
         let values = |at: &[Octuple]| [(self.subject.exact_value)(at), (self.subject.exact_jacobian)(at)];
         let places = [at, &beside[0], &beside[1]].map(|at| (at, values(at)));
@@ -51,7 +51,7 @@ impl<'a> Register<'a> {
     }
 }
 
-/// Whether a printed condition holds but for the rounding of a point, at which the formula has these values.
+/// Whether a printed condition holds up to rounding at a point where the formula has these values.
 fn is_near(claims: &Claims, at: &[Octuple], [values, jacobian]: &[Vec<Octuple>; 2]) -> bool {
     let point = claims.point(at, Some([values, jacobian]), &[]);
     let sizes: Vec<_> = point.iter().map(Signed::abs).collect();
@@ -61,28 +61,28 @@ fn is_near(claims: &Claims, at: &[Octuple], [values, jacobian]: &[Vec<Octuple>; 
     })
 }
 
-/// What jumps on a kink, and from where to where: the output and the input that show it best.
+/// The jump at a kink, with the values on both sides, for the output and input with the largest jump.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sides {
     /// What jumps.
     pub rank: Rank,
-    /// The place of the output's component.
+    /// The index of the output's component.
     pub output: usize,
-    /// The place of the input's component.
+    /// The index of the input's component.
     pub input: usize,
-    /// The value or derivative where the input is smaller, and where it is larger. Where it can be only one of them, on the
-    /// kink and beside it. Infinite where it grows without bound.
+    /// The value or derivative where the input is smaller, and where it is larger. If only one side exists: on the
+    /// kink and near it. Infinite if it grows without bound.
     pub sides: [f64; 2],
 }
 
-/// Steps from the kink, in units of the size of the inputs: what grows without bound grows from one to the next.
+/// Distances from the kink, in units of the size of the inputs: a quantity without bound grows from one to the next.
 const STEPS: [f64; 2] = [1e-30, 1e-36];
-/// Numbers that differ by a larger part jump.
+/// A larger relative difference is a jump.
 const JUMP: f64 = 1e-9;
-/// What grows by more has no bound, and what shrinks by more tends to 0.
+/// A quantity that grows by more is unbounded, and one that shrinks by more tends to 0.
 const GROWS: f64 = 10.0;
 
-/// What jumps on a registered kink, at the point that it names; `None` where nothing does.
+/// The jump on a registered kink, at the point that the kink names; `None` if nothing jumps.
 pub(crate) fn sides(subject: &Subject, kink: &Kink) -> Option<Sides> {
     let at = exact(&kink.at);
     let neighbourhood = Neighbourhood::new(subject, &at);
@@ -99,7 +99,7 @@ pub(crate) fn sides(subject: &Subject, kink: &Kink) -> Option<Sides> {
     })
 }
 
-/// Of every output, by how much it jumps with an input, relatively.
+/// For every output, its relative jump with an input.
 fn jumps(neighbourhood: &Neighbourhood<'_>, rank: Rank, input: usize) -> Vec<(f64, Sides)> {
     let (inner, edge) = neighbourhood.sides(&[input]);
     let signs = match (inner.first(), edge.first()) {
@@ -107,7 +107,7 @@ fn jumps(neighbourhood: &Neighbourhood<'_>, rank: Rank, input: usize) -> Vec<(f6
         (None, Some(&(_, sign))) => [0.0, sign],
         (None, None) => return Vec::new(),
     };
-    // Of a derivative there is none on the kink itself, only beside it.
+    // A derivative does not exist on the kink itself, only near it.
     let signs = if rank == Rank::Value { signs } else { signs.map(|sign| if sign == 0.0 { signs[1] } else { sign }) };
     let [near, nearer] = STEPS.map(|step| signs.map(|sign| neighbourhood.seen(rank, input, sign * step)));
     let of_output = |output: usize| {
@@ -119,12 +119,12 @@ fn jumps(neighbourhood: &Neighbourhood<'_>, rank: Rank, input: usize) -> Vec<(f6
     (0..near[0].len()).map(of_output).collect()
 }
 
-/// Of two numbers, relatively; 1 at least where one of them has no bound.
+/// The relative difference of two numbers; 1 if one of them is infinite.
 fn difference(a: f64, b: f64) -> f64 {
     if a.is_infinite() || b.is_infinite() { 1.0 } else { (a - b).abs() / (a.abs() + b.abs()) }
 }
 
-/// What numbers tend to that were seen near a kink and nearer to it.
+/// The limit of a quantity, from its values near a kink and nearer to it.
 fn limit(near: Octuple, nearer: Octuple) -> f64 {
     let growth = (nearer / near).abs();
     match growth {
@@ -134,7 +134,7 @@ fn limit(near: Octuple, nearer: Octuple) -> f64 {
     }
 }
 
-/// On every registered kink something jumps; `None` where there is none.
+/// The claim that something jumps on every registered kink; `None` if there are none.
 pub(in crate::toolkit::verify) fn register(subject: &Subject, names: &Names) -> Option<Claim> {
     let mut claim = Claim::new("on every registered kink something jumps: kinks on which nothing does", 0.0);
     for kink in &subject.kinks {
@@ -168,7 +168,7 @@ mod tests {
         x.into()
     }
 
-    /// A formula that is on registered kinks where their conditions, as they are printed, say so.
+    /// A formula with registered kinks where the printed conditions say so.
     fn with_printed(value: Function, conditions: &[&str]) -> Subject {
         let mut subject = planted(value, FLAT);
         subject.kinks = conditions.iter().map(|condition| kink(condition, |_| false, [0.0; 3], X)).collect();
@@ -210,7 +210,7 @@ mod tests {
         assert_eq!([is_met(1.0, 1.0), is_met(1.0, 3.0), is_met(2.0, 1.0)], [true, false, false]);
     }
 
-    /// What a prints on either side of x = 2, and between.
+    /// The value of a on either side of x = 2, and in between.
     #[test]
     fn a_kink_of_a_value_that_jumps_is_met_from_both_sides() {
         let value: Function = |i| {
@@ -247,7 +247,7 @@ mod tests {
         assert_eq!([difference(infinite, 1.0), difference(1.0, -infinite), difference(infinite, -infinite)], [1.0; 3]);
     }
 
-    /// What jumps on a kink at a point, where it is crossed in this direction.
+    /// The jump on a kink at a point, crossed in this direction.
     fn told(value: Function, jacobian: Function, at: [f64; 3], across: [f64; 3]) -> Option<Sides> {
         sides(&planted(value, jacobian), &kink("x = y", |_| false, at, across))
     }
@@ -255,14 +255,14 @@ mod tests {
     #[test]
     fn the_sides_of_a_slope_are_by_an_input_that_crosses_the_kink() {
         let jump = |output, input, sides| Some(Sides { rank: Rank::Slope, output, input, sides });
-        // |x − y| in units of lengths and forces.
+        // |x − y| in units of length and of force.
         let absolute: Function = |i| vec![number(0.0), (i[0] - i[1]).abs()];
         assert_eq!(told(absolute, FLAT, [2.0, 2.0, 1.0], X), jump(1, 0, [-1.0, 1.0]));
         assert_eq!(told(absolute, FLAT, [2.0, 2.0, 1.0], Y), jump(1, 1, [-1.0, 1.0]));
-        // What does not cross it tells where nothing else does.
+        // An input that does not cross it is used if no other shows a jump.
         let other: Function = |i| vec![i[0].abs() * -3.0, i[1]];
         assert_eq!(told(other, FLAT, [0.0, 2.0, 1.0], Y), jump(0, 0, [3.0, -3.0]));
-        // The most of all outputs and inputs, and the first of those.
+        // The largest over all outputs and inputs, and the first of equal ones.
         let some: Function = |i| vec![i[0].abs() + i[0] * 9.0, i[0].abs() + i[2]];
         assert_eq!(told(some, FLAT, [0.0, 2.0, 1.0], X), jump(1, 0, [-1.0, 1.0]));
         let same: Function = |i| vec![i[0].abs(), i[0].abs()];
@@ -288,7 +288,7 @@ mod tests {
         assert!(!is_told(|i| vec![i[0] + i[0].abs() * 5e-10, i[1]]));
     }
 
-    /// x and c are inside of their domains, y is at an end of its own.
+    /// x and c are inside their domains, y is at an end of its domain.
     #[test]
     fn at_the_edge_of_a_domain_the_kink_itself_is_the_other_side() {
         let at = |y: f64, input: usize| {
@@ -314,7 +314,7 @@ mod tests {
         assert_eq!(at(0.0, 2)[0], (0.0, 0, [5.0, 5.0]));
     }
 
-    /// A root has no slope at its end; beside it there is one.
+    /// A root has no slope at its end point, but has one near it.
     #[test]
     fn at_the_edge_of_a_domain_a_slope_is_seen_beside_it_alone() {
         let value: Function = |i| vec![i[1].sqrt(), i[1] * 3.0];

@@ -13,18 +13,18 @@ use crate::toolkit::verify::point::{Names, Point};
 use crate::toolkit::verify::{Sampler, Subject, exact, golden, rounded};
 use serde::{Deserialize, Serialize};
 
-/// So many points are looked for on every candidate.
+/// The number of points sought on every candidate.
 const POINTS: usize = 3;
-/// So many points are tried to find them from.
+/// The number of starting points tried.
 const STARTS: usize = 14;
 
-/// So many of them first with a single digit each, so that what is found from them are doubles.
+/// The number of starting points that are first rounded to a single binary digit, so that solutions are doubles.
 const SIMPLE: usize = 8;
 
-/// What a search for kinks found.
+/// The result of a search for kinks.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Search {
-    /// Places where the formula might have no derivative: comparisons and guarded zeros of its graph.
+    /// Candidates where the formula might have no derivative: comparisons and guarded zeros of its graph.
     pub candidates: usize,
     /// Points that were found on them.
     pub points: usize,
@@ -34,11 +34,11 @@ pub struct Search {
     pub registered: usize,
     /// Candidates on which no point was found, in words.
     pub not_reached: Vec<String>,
-    /// The conditions of the registered kinks that candidates led to.
+    /// The conditions of the registered kinks found from candidates.
     pub found: Vec<String>,
 }
 
-/// Searches a formula, and records in the claim what is not registered.
+/// Searches a formula for kinks, and records unregistered ones in the claim.
 pub(in crate::toolkit::verify) fn search(
     subject: &Subject,
     graph: &Graph,
@@ -47,7 +47,7 @@ pub(in crate::toolkit::verify) fn search(
     claim: &mut Claim,
 ) -> Search {
     let mut search = Search::default();
-    // A kink that is met must be that of the candidate, and not one on which the start was.
+    // A kink that is met must be that of the candidate, not one that the starting point is on.
     let starts: Vec<_> = points.iter().filter(|point| point.kink.is_none()).map(|point| point.inputs.clone()).collect();
     let simple = starts.iter().take(SIMPLE).map(|start| start.iter().map(|&x| power_of_two_near(x)).collect());
     let simple =
@@ -78,7 +78,7 @@ pub(in crate::toolkit::verify) fn search(
         }
         *(if is_smooth { &mut search.smooth } else { &mut search.registered }) += 1;
     }
-    // A kink that is one only where something else holds too may lie on none of the first points.
+    // A kink with an additional condition may contain none of the first points.
     for starts in starts.chunks(STARTS).skip(1) {
         for candidate in &candidates {
             if search.lacks(subject) == 0 {
@@ -94,7 +94,7 @@ pub(in crate::toolkit::verify) fn search(
 }
 
 impl Search {
-    /// How many registered kinks no candidate has led to yet.
+    /// The number of registered kinks not yet found from any candidate.
     fn lacks(&self, subject: &Subject) -> usize {
         subject.kinks.len() - self.found.len()
     }
@@ -110,10 +110,10 @@ struct Looking<'a> {
     subject: &'a Subject,
     graph: &'a Graph,
     names: &'a Names,
-    /// What the value is computed from.
+    /// All operations of the value.
     of_value: Vec<Node>,
     register: Register<'a>,
-    /// Inputs that the formula refuses.
+    /// Inputs that the formula rejects.
     refused: Vec<Vec<f64>>,
     directions: Sampler,
 }
@@ -135,8 +135,8 @@ impl<'a> Looking<'a> {
     /// Points of the domain on a candidate, at which the value depends on it.
     fn points_on(&self, candidate: &Candidate, starts: &[Vec<f64>]) -> Vec<Vec<Octuple>> {
         let solver = Solver::new(self.graph, self.subject.inputs, candidate);
-        // Where the formula refuses such a place, only it can say whether a point is there, and it takes doubles. A single
-        // equality may hold at other places too, on both sides of which the formula is valid.
+        // If the formula rejects such points, only `check` can tell whether a point is valid, and it takes doubles. A
+        // single equality may also hold at other points, on both sides of which the formula is valid.
         let is_refused = self.refused.iter().any(|invalid| solver.is_on(invalid));
         let is_inside = |at: &[Octuple]| candidate.pairs.len() == 1 && self.is_valid_beside(at);
         let is_met = |at: &Vec<Octuple>| {
@@ -166,7 +166,7 @@ impl<'a> Looking<'a> {
         found
     }
 
-    /// Whether inputs that are a little larger, and a little smaller, are valid together.
+    /// Whether slightly larger and slightly smaller inputs are valid together.
     fn is_valid_beside(&self, at: &[Octuple]) -> bool {
         [BESIDE, -BESIDE].iter().all(|&part| (self.subject.is_valid)(&beside(at, part)))
     }
@@ -180,7 +180,7 @@ impl<'a> Looking<'a> {
         inputs.collect()
     }
 
-    /// The largest jump along directions that no symmetry of the formula has.
+    /// The largest jump along directions that are not special to any symmetry of the formula.
     fn jump(&mut self, neighbourhood: &Neighbourhood<'_>, inputs: &[usize], is_point: bool) -> Jump {
         let (inner, edge) = neighbourhood.sides(inputs);
         let [a, b] = [(); 2].map(|()| {
@@ -203,8 +203,8 @@ impl<'a> Looking<'a> {
         jump
     }
 
-    /// Where the derivative jumps most, by the input that shows it best. None may, where only the derivative along a sum of
-    /// directions is not the sum of derivatives.
+    /// Describes the largest jump of the derivative, with respect to the input that shows it best. There may be none,
+    /// if only the derivative along a sum of directions differs from the sum of derivatives.
     fn described(&self, candidate: &Candidate, at: &[Octuple], inputs: &[usize], jump: Jump) -> Deviation {
         let neighbourhood = Neighbourhood::new(self.subject, at);
         let (inner, edge) = neighbourhood.sides(inputs);
@@ -225,7 +225,7 @@ impl<'a> Looking<'a> {
     }
 }
 
-/// A number of the same sign with a single digit, whose products and sums are doubles; 0 of 0.
+/// A number of the same sign with a single binary digit, whose products and sums are doubles; 0 for 0.
 fn power_of_two_near(x: f64) -> f64 {
     power_of_two_below(x)[0].copysign(x)
 }

@@ -8,22 +8,22 @@ use crate::toolkit::graph::{Graph, Node, Number};
 use crate::toolkit::verify::difference::step_size;
 use crate::toolkit::verify::{exact, rounded};
 
-/// Steps in `f64`, from far away.
+/// Newton steps in `f64`, from a distant start.
 const STEPS: usize = 15;
-/// Steps in 237 bits: each doubles the digits.
+/// Newton steps in 237 bits, each of which doubles the digits.
 const LAST_STEPS: usize = 8;
-/// Numbers are equal in `f64` to this part of what they are made of, so that the last steps converge.
+/// The tolerance of equality in `f64`, relative to the terms of the numbers, for the last steps to converge.
 const NEAR: f64 = 1e-6;
-/// And in 237 bits to this.
+/// The tolerance of equality in 237 bits.
 const EQUAL: f64 = 1e-62;
-/// A component that has become this part of what it was is 0.
+/// A component that has shrunk to less than this fraction becomes 0.
 const NOTHING: f64 = 1e-40;
-/// Halvings of the way between two points.
+/// Bisection steps between two points.
 const HALVINGS: usize = 60;
-/// Where equations depend on each other, this is added to their matrix, in proportion.
+/// Added to the matrix of dependent equations, relative to its size.
 const RIDGE: [f64; 2] = [1e-12, 1e-36];
 
-/// What is solved for a candidate.
+/// The equations of a candidate, and their solver.
 pub(super) struct Solver<'a> {
     graph: &'a Graph,
     fields: &'static [Field],
@@ -32,16 +32,16 @@ pub(super) struct Solver<'a> {
     needed: Vec<Node>,
 }
 
-/// By how much the numbers of each pair differ at a point.
+/// The difference of the numbers of each pair at a point.
 struct Gap<T> {
     residual: T,
     /// The derivatives of the residual in units of the size of each input.
     gradient: Vec<T>,
-    /// The numbers are made of terms of this size.
+    /// The size of the terms that the numbers are made of.
     scale: T,
 }
 
-/// What a number is to be, or the node whose result it is to be.
+/// The target value of a number, or the node whose result is the target.
 fn goal(value: f64, other: &Other) -> Result<f64, Node> {
     match other {
         Other::Node(node) => Err(*node),
@@ -61,15 +61,15 @@ impl<'a> Solver<'a> {
         Self { graph, fields, pairs: &candidate.pairs, negative: candidate.negative, needed }
     }
 
-    /// Inputs near a start that meet this too, changed in one component an equation if that will do, so that the others
-    /// stay doubles.
+    /// Solutions near a start that also satisfy this condition. If possible, one component per equation is changed, so
+    /// that the others remain doubles.
     pub(super) fn near(&self, start: &[f64], is_met: impl Fn(&Vec<Octuple>) -> bool) -> Option<Vec<Octuple>> {
         let sizes = self.sizes(&exact(start));
         let goals = self.goals(start);
         let gaps = self.gaps(start, &rounded(&sizes), &goals);
         let moves = |gap: &Gap<f64>, k: usize| gap.gradient[k].is_normal();
         let moved = |k: usize| gaps.iter().filter(|gap| moves(gap, k)).count();
-        // Those come first that move no other equation, and move this one most.
+        // Components that affect no other equation come first, then those that affect this one most.
         let moving = |gap: &Gap<f64>| {
             let mut columns: Vec<usize> = (0..start.len()).filter(|&k| moves(gap, k)).collect();
             let size = |k: usize| gap.gradient[k].abs();
@@ -90,7 +90,7 @@ impl<'a> Solver<'a> {
         [few, all].iter().filter_map(|columns| self.along(start, columns, &goals)).find(is_met)
     }
 
-    /// Whether the candidate is at a point.
+    /// Whether a point is on the candidate.
     pub(super) fn is_on(&self, point: &[f64]) -> bool {
         let is_on_side = self.negative.is_none_or(|node| {
             let needed = self.graph.needed(&[node]);
@@ -99,7 +99,7 @@ impl<'a> Solver<'a> {
         is_on_side && self.is_solved(&exact(point), &self.goals(point), 0.0)
     }
 
-    /// Inputs between two points at which a single number is on different sides of what it is to be equal to.
+    /// A solution between two points on different sides of a single equation.
     pub(super) fn between(&self, starts: &[Vec<f64>], is_met: impl Fn(&Vec<Octuple>) -> bool) -> Option<Vec<Octuple>> {
         let side = |point: &[f64]| {
             let all = self.graph.results(point, self.needed.iter().copied());
@@ -126,7 +126,7 @@ impl<'a> Solver<'a> {
         (0..inputs.len()).map(|k| step_size(self.fields, inputs, k)).collect()
     }
 
-    /// What each first number is to be, where that is no other result.
+    /// The target value of each first number, if the target is not another result.
     fn goals(&self, start: &[f64]) -> Vec<Option<f64>> {
         let all = self.graph.results(start, self.needed.iter().copied());
         self.pairs.iter().map(|(node, other)| goal(all[node.index()], other).ok()).collect()
@@ -152,11 +152,11 @@ impl<'a> Solver<'a> {
         self.pairs.iter().zip(goals).map(gap).collect()
     }
 
-    /// Changes these components only.
+    /// Solves by changing these components only.
     fn along(&self, start: &[f64], columns: &[usize], goals: &[Option<f64>]) -> Option<Vec<Octuple>> {
         let sizes_at_start = self.sizes(&exact(start));
         let near = self.newton(start.to_vec(), &rounded(&sizes_at_start), (columns, goals), STEPS, RIDGE[0], NEAR)?;
-        // Doubles that do are easier to give back.
+        // Solutions in doubles are preferred.
         let inputs = exact(&near);
         if self.is_solved(&inputs, goals, 0.0) {
             return Some(inputs);
@@ -167,7 +167,7 @@ impl<'a> Solver<'a> {
         if self.is_solved(&doubles, goals, 0.0) {
             return Some(doubles);
         }
-        // What is left of a number that is to vanish.
+        // Removes the remainder of a number that should vanish.
         for (x, &size) in found.iter_mut().zip(&sizes_at_start).filter(|(x, size)| abs(**x) < **size * NOTHING) {
             *x = size * 0.0;
         }
@@ -179,7 +179,7 @@ impl<'a> Solver<'a> {
         gaps.iter().all(|gap| abs(gap.residual) <= gap.scale * bound)
     }
 
-    /// The steps go on while they bring something.
+    /// Iterates as long as the residual decreases.
     fn newton<T: Number>(
         &self,
         mut inputs: Vec<T>,
@@ -213,7 +213,7 @@ impl<'a> Solver<'a> {
     }
 }
 
-/// The smallest changes of these inputs, in units of their sizes, that close all gaps to first order.
+/// The smallest changes of these inputs, relative to their sizes, that close all gaps to first order.
 fn least_change<T: Number>(gaps: &[Gap<T>], columns: &[usize], ridge: f64) -> Option<Vec<T>> {
     let product =
         |a: &Gap<T>, b: &Gap<T>| columns.iter().fold(T::zero(), |sum, &k| sum + a.gradient[k] * b.gradient[k]);
@@ -229,8 +229,8 @@ fn least_change<T: Number>(gaps: &[Gap<T>], columns: &[usize], ridge: f64) -> Op
     Some(columns.iter().map(change).collect())
 }
 
-/// Gauss elimination of a symmetric positive matrix, with the right side as its last column; `None` where a pivot is as
-/// small a part of what it was.
+/// Gaussian elimination of a symmetric positive definite matrix, with the right-hand side as its last column; `None`
+/// if a pivot falls to this fraction of its original value.
 fn eliminate<T: Number>(mut rows: Vec<Vec<T>>, part: f64) -> Option<Vec<T>> {
     let count = rows.len();
     let diagonal: Vec<_> = (0..count).map(|k| rows[k][k]).collect();
@@ -261,10 +261,10 @@ mod tests {
     use crate::toolkit::graph::Binary::{Add, Multiply, Subtract};
     use crate::toolkit::graph::{Relation, Unary};
 
-    /// A number of x, y and c, and what it is to be equal to.
+    /// A number of x, y and c, and its target.
     type Equation = fn(&mut Graph, [Node; 3]) -> (Node, Other);
 
-    /// Asks the solver of these equations.
+    /// Calls the solver for these equations.
     fn solved<T>(equations: &[Equation], ask: impl FnOnce(&Solver<'_>) -> T) -> T {
         let mut graph = Graph::default();
         let inputs = graph.inputs();
@@ -273,7 +273,7 @@ mod tests {
         ask(&Solver::new(&graph, Inputs::<f64>::FIELDS, &candidate))
     }
 
-    /// Inputs near a start.
+    /// Solutions near a start.
     fn near(equations: &[Equation], start: [f64; 3], is_met: fn(&[f64]) -> bool) -> Option<Vec<f64>> {
         solved(equations, |solver| solver.near(&start, |at| is_met(&rounded(at))).map(|at| rounded(&at)))
     }
@@ -325,7 +325,7 @@ mod tests {
         let near = |is_met| near(&[equation], [1.0, 1.0, 1.0], is_met);
         assert_eq!(near(|_| true), Some(vec![1.0, 1.0, 2.0]));
         assert_eq!(near(|at| at[2] == 1.0), Some(vec![1.0, 3.0, 1.0]));
-        // A third one is not tried.
+        // A third component is not tried.
         assert_eq!(near(|at| at[0] != 1.0), None);
     }
 
@@ -335,10 +335,10 @@ mod tests {
         let second: Equation = |_, [.., c]| (c, Other::Number(2.0));
         let near_ones = |is_met| near(&[first, second], [1.0, 1.0, 1.0], is_met);
         assert_eq!(near_ones(|_| true), Some(vec![1.0, 1.0, 2.0]));
-        // c moves both, though it moves the first most.
+        // c affects both equations, though it affects the first most.
         let near_others = |is_met| near(&[first, second], [2.0, 1.0, 1.0], is_met);
         assert_eq!(near_others(|_| true), Some(vec![1.0, 1.0, 2.0]));
-        // Where that will not do, all of them change by little.
+        // If that does not help, all of them change slightly.
         let all = near_others(|at| at[1] != 1.0).expect("a solution");
         assert_eq!((all[0] + all[1], all[2]), (2.0, 2.0));
         assert!((all[0] - 1.2).abs() < 1e-12 && (all[1] - 0.8).abs() < 1e-12, "{all:?}");
@@ -416,7 +416,7 @@ mod tests {
             solved(&[equation], |solver| solver.between(&starts, |at| is_met(&rounded(at))).map(|at| rounded(&at)))
         };
         let one: Equation = |_, [x, ..]| (x, Other::Number(1.0));
-        // One that is on it itself is on no side.
+        // A start on the candidate itself is on neither side.
         let starts = [[1.0, 9.0, 1.0], [4.0, 4.0, 1.0], [0.0, 0.0, 1.0], [8.0, 1.0, 1.0], [-8.0, 1.0, 1.0]];
         let found = between(one, &starts, |_| true).expect("one is between");
         assert!(found[0] == 1.0 && (found[1] - 1.0).abs() < 1e-15 && found[2] == 1.0, "{found:?}");
@@ -426,7 +426,7 @@ mod tests {
         let other: Equation = |_, [x, y, _]| (x, Other::Node(y));
         let found = between(other, &[[0.0, 2.0, 1.0], [8.0, 2.0, 1.0]], |_| true).expect("one is between");
         assert!(found[0] == found[1] && (found[1] - 2.0).abs() < 1e-15, "{found:?}");
-        // Neither of these comes there by itself.
+        // Newton's method converges from neither of these.
         let flat: Equation = |graph, [x, ..]| {
             let [one, three] = [1.0, 3.0].map(|c| graph.number(c));
             let [is_low, is_inside] = [one, three].map(|end| graph.compare(Relation::Less, x, end));
@@ -447,7 +447,7 @@ mod tests {
         let changes = least_change(&two, &[0, 1, 2], 1e-12).expect("they are independent");
         let expected = [1.0 / 3.0, 5.0 / 3.0, 4.0 / 3.0];
         assert!(changes.iter().zip(expected).all(|(found, expected)| (found - expected).abs() < 1e-14), "{changes:?}");
-        // The same equation twice, and one that nothing changes.
+        // The same equation twice, and one that no input affects.
         let same = [gap(2.0, [1.0, 0.0, 1.0]), gap(2.0, [1.0, 0.0, 1.0])];
         let changes = least_change(&same, &[0, 2], 1e-12).expect("a little is added");
         assert!(changes.iter().all(|change| (change - 1.0).abs() < 1e-9), "{changes:?}");
@@ -462,7 +462,7 @@ mod tests {
             let left: f64 = row.iter().zip(&solution).map(|(entry, x)| entry * x).sum();
             assert!((left - row[3]).abs() < 1e-14, "{solution:?}");
         }
-        // The second pivot is half of what it was.
+        // The second pivot is half of its original value.
         let half = |part| eliminate(vec![vec![4.0, 2.0, 8.0], vec![2.0, 2.0, 6.0]], part);
         assert_eq!((half(0.49), half(0.5)), (Some(vec![1.0, 2.0]), None));
         assert_eq!(

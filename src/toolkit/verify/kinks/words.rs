@@ -1,10 +1,10 @@
-//! A result of a graph, written as an expression of the inputs.
+//! Writes a result of a graph as an expression of the inputs.
 
 use crate::toolkit::graph::{Binary, Graph, Node, Op, Relation, Unary};
 
-/// Deeper operations are left out.
+/// Deeper operations are omitted.
 const DEPTH: usize = 5;
-/// Longer expressions have fewer operations spelled out.
+/// In longer expressions fewer operations are spelled out.
 const LENGTH: usize = 70;
 
 /// A graph, and the names of its inputs.
@@ -13,7 +13,7 @@ pub(in crate::toolkit::verify) struct Words<'a> {
     pub(in crate::toolkit::verify) names: &'a [String],
 }
 
-/// How strongly an expression holds together: what is looser than its surroundings needs brackets.
+/// The precedence of an expression: one of lower precedence than its context needs brackets.
 #[derive(Clone, Copy, PartialEq, PartialOrd)]
 enum Bond {
     Sum,
@@ -22,7 +22,7 @@ enum Bond {
 }
 
 impl Words<'_> {
-    /// The expression; where it is long, its inner parts are left out.
+    /// The expression; inner parts of long ones are omitted.
     pub(in crate::toolkit::verify) fn of(&self, node: Node) -> String {
         let mut texts = (1..=DEPTH).rev().map(|depth| self.written(node, depth).0);
         let short = texts.find(|text| text.chars().count() <= LENGTH);
@@ -96,7 +96,7 @@ fn sign(relation: Relation) -> &'static str {
     }
 }
 
-/// Small and large numbers by four digits of their powers of ten.
+/// Writes small and large numbers with four digits and a power of ten.
 fn number(x: f64) -> String {
     let size = x.abs();
     let text = if x == 0.0 || (1e-3..1e6).contains(&size) { x.to_string() } else { format!("{x:.3e}") };
@@ -167,7 +167,7 @@ mod tests {
         assert_eq!(chosen(|[a, b]| [a, b, b]), "either(y < x, y < x)");
     }
 
-    /// What is looser than its surroundings stands in brackets, and nothing else does.
+    /// Expressions of lower precedence than their context are in brackets, and no others.
     #[test]
     fn brackets_stand_where_they_are_needed() {
         let within = |inner, outer: fn(Node, Node) -> Op| {
@@ -202,7 +202,7 @@ mod tests {
         assert_eq!(of_sum(|inner, x| Op::Compare(Relation::Less, inner, x)), "x + y < x");
     }
 
-    /// Bonds of what is no operation on two numbers, as a divisor and as a term that is taken away.
+    /// The precedence of expressions that are no binary operations, as a divisor and as a subtrahend.
     #[test]
     fn a_function_holds_together_and_a_sum_does_not() {
         let divisor = |op: fn([Node; 2]) -> Op| {

@@ -20,7 +20,7 @@ fn triads_are_made_orthonormal_each_by_itself() {
     assert!(inputs.iter().zip([0.6, -0.8, 12.0]).all(close), "{inputs:?}");
 }
 
-/// x = e1a·(xb − xa): a unit vector may be off in every component by a part of 1, a number by a part of itself.
+/// x = e1a·(xb − xa): the error of a component of a unit vector is relative to 1, that of a number relative to itself.
 #[test]
 fn sizes_are_of_the_inputs_then_of_values_and_derivatives() {
     let subject = Subject::of::<RelativePosition>();
@@ -47,7 +47,7 @@ fn setting(of: &Subject, free: &str) -> Setting {
 
 const OPTIONS: Options = Options { samples: 3, seed: 1 };
 
-/// What was found of a claim about the contact force √(f2² + f3²).
+/// The result of checking a claim about the contact force √(f2² + f3²).
 fn found(latex: &str, free: &str) -> Claim {
     let subject = Subject::of::<ContactForce>();
     let claims = Claims::read(latex, &setting(&subject, free)).expect("it can be read");
@@ -69,11 +69,11 @@ fn a_claim_is_checked_at_every_point_that_is_on_no_kink() {
     assert!(wrong.checks == points && wrong.failures > points / 2, "{wrong:?}");
     let wrong = found(r"F_C < 0", "");
     let worst = wrong.worst.expect("it was checked");
-    // It is judged by its size, and by what rounding of the inputs does to it.
+    // Relative to its size, and to its sensitivity to the inputs.
     assert_eq!((wrong.failures, worst.size), (points, 1.0 / 3.0));
 }
 
-/// Of what is drawn for them, so that it is of the right sign.
+/// Drawn values must have the right sign.
 #[test]
 fn numbers_that_may_be_any_are_drawn() {
     let claims = Claims::read(r"(a+b)^2 = a^2 + 2 a b + b^2", &Setting { free: "a, b".into(), ..Setting::default() });
@@ -89,12 +89,12 @@ fn numbers_that_may_be_any_are_drawn() {
     let wrong = claims_at_large(&wrong, &Options { samples: 1, seed: 1 });
     let worst = wrong.worst.expect("it was checked");
     assert_eq!((wrong.failures, worst.point.as_str()), (1, "random 0"));
-    // By 1, of both sides and of the terms of the first.
+    // Off by 1, relative to both sides and to the terms of the first.
     let a = worst.expected.min(worst.found);
     assert!(worst.size < 1.0 / (2.0 * a + 1.0) && worst.size > 0.1 / (2.0 * a + 1.0), "{worst:?}");
 }
 
-/// Triads of doubles are so to 53 bits alone.
+/// Triads in doubles are orthonormal to 53 bits only.
 #[test]
 fn what_holds_of_triads_holds_where_they_are_made_orthonormal() {
     let subject = Subject::of::<RelativePosition>();
@@ -107,7 +107,7 @@ fn what_holds_of_triads_holds_where_they_are_made_orthonormal() {
     assert!(failures(false) > 0);
 }
 
-/// What is said of the kink of the contact force, where its condition is printed so.
+/// The result for the kink of the contact force, if its condition is printed like this.
 fn printed_as(condition: &str) -> Printed {
     let mut subject = Subject::of::<ContactForce>();
     subject.kinks[0].condition = condition.into();
@@ -170,7 +170,7 @@ fn terms_are_asked_for_where_two_sides_differ_too_much_alone() {
     assert_eq!(share(&claims, &claims.at(&point)[0], &point, || panic!("it is close enough")), EQUATION);
 }
 
-/// Kinks are at doubles, of which nothing is rounded: not even triads.
+/// Kinks are at doubles, in which nothing is rounded, not even triads.
 #[test]
 fn a_printed_equality_of_triads_is_of_these_as_they_are() {
     let subject = Subject::of::<RelativePosition>();
@@ -183,7 +183,7 @@ fn a_printed_equality_of_triads_is_of_these_as_they_are() {
     assert_eq!([0.0, 1e-60].map(holds), [true, false]);
 }
 
-/// The differences of lengths that it takes from another formula are in that one's equation.
+/// The differences of lengths are taken from another formula, and defined in its equation.
 #[test]
 fn a_condition_may_be_in_symbols_of_equations_that_are_referred_to() {
     let printed = kinks_as_printed::<Eliminate2d>();

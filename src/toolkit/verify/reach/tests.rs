@@ -30,7 +30,7 @@ fn is_special<const WHERE: usize, D: Scalar>(&Pair { v, w }: &Pair<D>) -> bool {
         9 => w.x > 1e60 && v.y > 1e60,
         10 => v.y == 0.0,
         11 => w.x < 0.0 && w.y > 0.0,
-        // So flat that no step leads to it.
+        // So flat that no Newton step leads to it.
         13 => v.x * v.x * v.x * v.x * v.x < 1e-100 && w.x + w.y * 2.0 > 40.0,
         _ => v.x + v.y * 2.0 > 40.0,
     }
@@ -53,7 +53,7 @@ impl<const WHERE: usize> Proved for Special<WHERE> {}
 
 const START: [f64; 4] = [3.0, 5.0, 7.0, 11.0];
 
-/// What a search has found that has entered the start.
+/// What a search that has entered the start finds.
 fn found_by<F: Proved>(from: &[f64], how: impl Fn(&mut Search)) -> Vec<Reached> {
     let subject = Subject::of::<F>();
     let branches = Branches::of(subject.graph().expect("it is recorded"));
@@ -86,7 +86,7 @@ fn inputs_become_special_in_every_way() {
     assert_leads_to::<11>([3.0, 5.0, -7.0, 11.0]);
 }
 
-/// The plane is 27/√5 away along (1, 2)/√5; twice as far is as far beyond it.
+/// The plane is at a distance of 27/√5 along (1, 2)/√5; a step twice as long ends at the same distance beyond it.
 #[test]
 fn a_step_crosses_where_the_numbers_are_equal() {
     let found = found_by::<Special<12>>(&START, |search| search.towards(0, START.to_vec(), 2.0));
@@ -109,12 +109,12 @@ fn a_search_ends_with_every_side() {
     let found = reach(&subject, &branches, &[&START]);
     let sides: Vec<_> = found.iter().map(|reached| (reached.comparison, reached.answer)).collect();
     let [first, second] = branches.comparisons[..] else { panic!("there are two") };
-    // Of the second one either side is taken only where the first one holds.
+    // The second comparison is evaluated only if the first is true.
     assert!(sides.contains(&(second, true)) && !sides.contains(&(first, false)), "{sides:?}");
     assert!(sides.len() == 2 || sides.len() == 3, "{sides:?}");
 }
 
-/// What becomes special leads to sides that are stepped to in the next round.
+/// Special inputs lead to branches that Newton's method then crosses in the next round.
 #[test]
 fn a_search_goes_on_while_it_finds_something() {
     let subject = Subject::of::<Special<13>>();
@@ -210,7 +210,7 @@ fn the_vectors_of_a_node_are_one_triad() {
     let quantities = [&MU, &SLIDER_N, &E2B, &E1A, &XA, &SLIDER_N, &E2A];
     let fields = quantities.map(|quantity| Field::new("field", quantity));
     assert_eq!(ranges(&fields), [0..1, 1..4, 4..7, 7..10, 10..13, 13..16, 16..19]);
-    // A direction is by itself.
+    // A direction forms a group of its own.
     let starts = triads(&fields).into_iter().map(|triad| triad.iter().map(|axis| axis.start).collect());
     assert_eq!(starts.collect::<Vec<Vec<_>>>(), [vec![1], vec![4], vec![7, 16], vec![13]]);
 }

@@ -1,4 +1,4 @@
-//! A program that does one thing otherwise than the formula: a term left out, a sign turned, a branch always taken.
+//! A program that differs from the formula in one operation: a term omitted, a sign reversed, a branch always taken.
 
 use super::evidence::{Evidence, LEAST, Sample};
 use super::mistakes::{Mistake, mistakes};
@@ -6,17 +6,17 @@ use jointproof::Octuple;
 use jointproof::toolkit::graph::{Graph, Instead, Node, Op};
 use rayon::iter::{IntoParallelIterator, IntoParallelRefIterator, ParallelIterator};
 
-/// Of a graph with more operations, mistakes in it are not looked for: that would take too long.
+/// The largest number of operations of a graph in which mistakes are searched for, to limit the time.
 const LONGEST: usize = 6000;
-/// What is found in doubles is looked at in 237 bits, so many at most.
+/// The number of candidates found in doubles that are verified in 237 bits.
 const CANDIDATES: usize = 20;
 
-/// How the Jacobian follows from a mistake.
+/// How a mistake affects the Jacobian.
 #[derive(Clone, Copy, PartialEq)]
 enum Jacobian {
-    /// The mistake is in it, too.
+    /// The Jacobian contains the mistake.
     Altered,
-    /// It is the derivative of a value with the mistake.
+    /// It is the derivative of the wrong value.
     Derived,
 }
 
@@ -29,7 +29,7 @@ pub(super) fn cause(evidence: &Evidence<'_>, off: &[usize]) -> Option<String> {
     }
     let m = graph.value.len();
     let results: Vec<Node> = graph.value.iter().chain(&graph.jacobian).copied().collect();
-    // An automatic Jacobian is not in the graph; what is off in it may follow from a value that is.
+    // An automatic Jacobian is not in the graph; wrong entries of it may follow from a value that is.
     let wanted: Vec<Node> = off.iter().filter_map(|&place| results.get(place).copied()).collect();
     if wanted.is_empty() {
         return None;
@@ -37,7 +37,7 @@ pub(super) fn cause(evidence: &Evidence<'_>, off: &[usize]) -> Option<String> {
     let has_both = off.iter().any(|&place| place < m) && off.iter().any(|&place| place >= m);
     let mistakes = mistakes(&graph, evidence.court.formula.inputs(), &wanted);
     let screens: Vec<_> = samples[..LEAST].iter().map(|sample| Screen::new(evidence, &graph, sample)).collect();
-    // A derivative is not looked at in doubles: it follows from a value that fits.
+    // Derivatives are not screened in doubles: they follow from a value that fits.
     let screened = |mistake: &&Mistake| {
         let value: Vec<_> = off.iter().copied().filter(|&place| !has_both || place < m).collect();
         screens.iter().all(|screen| screen.fits(evidence, &graph, mistake, &value, &results))
@@ -56,7 +56,7 @@ pub(super) fn cause(evidence: &Evidence<'_>, off: &[usize]) -> Option<String> {
     fitting.iter().take(CANDIDATES).find(is_so).map(|mistake| mistake.what.clone())
 }
 
-/// A sample, with the results of the graph there in doubles.
+/// A sample, with all results of the graph there in doubles.
 struct Screen<'a> {
     sample: &'a Sample,
     inputs: &'a [f64],
@@ -70,7 +70,7 @@ impl<'a> Screen<'a> {
         Self { sample, inputs, all: graph.results(inputs, nodes) }
     }
 
-    /// Whether the numbers that are off are about what the mistake gives.
+    /// Whether the wrong numbers are approximately those that the mistake gives.
     fn fits(&self, evidence: &Evidence<'_>, graph: &Graph, mistake: &Mistake, off: &[usize], results: &[Node]) -> bool {
         let first = mistake.place.index();
         let changed = match &mistake.instead {
@@ -78,7 +78,7 @@ impl<'a> Screen<'a> {
             Instead::Result(node) => self.all[node.index()],
         };
         if changed == self.all[first] {
-            // Nothing changes here, so that what is off stays so.
+            // Nothing changes here, so that wrong numbers remain unexplained.
             return off.iter().all(|&place| !evidence.is_off(self.sample, place));
         }
         let mut all = self.all.clone();
@@ -98,7 +98,7 @@ impl<'a> Screen<'a> {
     }
 }
 
-/// Whether an altered graph gives what was found, in 237 bits and everywhere.
+/// Whether an altered graph reproduces the numbers found, in 237 bits and at all samples.
 fn explains(evidence: &Evidence<'_>, off: &[usize], altered: &Graph, way: Jacobian) -> bool {
     let m = altered.value.len();
     let all_results: Vec<Node> = altered.value.iter().chain(&altered.jacobian).copied().collect();
@@ -118,7 +118,7 @@ fn explains(evidence: &Evidence<'_>, off: &[usize], altered: &Graph, way: Jacobi
                     Jacobian::Derived if place >= m => derived(place),
                     _ => all[all_results[place].index()],
                 };
-                // What is left out may be what conditions the rest.
+                // The omitted part may determine the condition of the rest.
                 known.with(predicted).eta(found) <= 1000.0 + evidence.tolerance(place)
             }
             _ => true,

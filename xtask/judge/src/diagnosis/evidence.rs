@@ -1,4 +1,4 @@
-//! All that a mistake has to explain.
+//! The evidence that a mistake has to explain.
 
 use crate::answer::Answer;
 use crate::map::names;
@@ -8,13 +8,13 @@ use jointproof::toolkit::verify::{Judge, Known};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use std::ops::Range;
 
-/// So many numbers are kept to try mistakes on, and so many points at which nothing is off.
+/// The limit on numbers kept to try mistakes on, and on points without wrong numbers.
 const NUMBERS: usize = 400_000;
 const RIGHT: usize = 200;
-/// What is seen at fewer points may be chance.
+/// What is observed at fewer points may be chance.
 pub(super) const LEAST: usize = 3;
 
-/// A point, what has to be there, and what was found.
+/// A point, with the expected and the computed numbers.
 pub(super) struct Sample {
     pub(super) question: usize,
     pub(super) expected: Vec<Option<Known>>,
@@ -23,12 +23,12 @@ pub(super) struct Sample {
     pub(super) kink: Option<String>,
 }
 
-/// All that a mistake has to explain.
+/// The evidence that a mistake has to explain.
 pub(super) struct Evidence<'a> {
     pub(super) court: &'a Court<'a>,
     pub(super) samples: Vec<Sample>,
     pub(super) names: Vec<String>,
-    /// The numbers that are off somewhere.
+    /// The numbers that are wrong somewhere.
     pub(super) off: Vec<usize>,
 }
 
@@ -37,7 +37,7 @@ impl<'a> Evidence<'a> {
         let most = NUMBERS / court.wanted.numbers(sizes(court.formula));
         let is_valid = |k: &usize| matches!(court.questions[*k].own, Own::Results(_));
         let right = (0..answers.len()).filter(|k| is_valid(k) && verdict.off.binary_search(k).is_err());
-        // Points drawn at random are in general position.
+        // Random points are in general position.
         let (random, named): (Vec<usize>, _) =
             verdict.off.iter().partition(|&&k| court.questions[k].name.starts_with("random "));
         let chosen: Vec<_> = random.into_iter().chain(named).take(most).chain(right.take(RIGHT.min(most))).collect();
@@ -45,7 +45,7 @@ impl<'a> Evidence<'a> {
             .par_iter()
             .map_init(|| court.formula.judge(), |judge, &k| Sample::new(court, judge, k, &answers[k]))
             .flatten()
-            // Where a rounding decides on which side of a kink it is, no answer tells what the program does.
+            // If a rounding error decides on which side of a kink a point is, its answer tells nothing about the program.
             .filter(|sample| sample.kink.is_some() || !court.is_beside_kink(sample.question))
             .collect();
         let names = names(court.formula.inputs(), court.formula.outputs(), court.wanted);
@@ -55,18 +55,18 @@ impl<'a> Evidence<'a> {
         evidence
     }
 
-    /// The outputs, and what follows them.
+    /// The indices of the outputs, and of the numbers that follow them.
     pub(super) fn parts(&self) -> [Range<usize>; 2] {
         let m = sizes(self.court.formula)[1];
         [0..m, m..self.names.len()]
     }
 
-    /// The numbers of a part that are off.
+    /// The wrong numbers of a part.
     pub(super) fn off_in(&self, part: &Range<usize>) -> Vec<usize> {
         self.off.iter().copied().filter(|place| part.contains(place)).collect()
     }
 
-    /// How much a number may differ from what a mistake would compute.
+    /// How much a number may differ from the prediction of a mistake.
     pub(super) fn tolerance(&self, place: usize) -> f64 {
         16.0 + 4.0 * self.court.bound(place)
     }
@@ -78,12 +78,12 @@ impl<'a> Evidence<'a> {
         }
     }
 
-    /// The samples at which one of these numbers is off.
+    /// The samples at which one of these numbers is wrong.
     pub(super) fn off_samples(&self, places: &[usize]) -> Vec<&Sample> {
         self.samples.iter().filter(|sample| places.iter().any(|&place| self.is_off(sample, place))).collect()
     }
 
-    /// Whether a number is, at every sample, what a mistake would compute; where that is not known it is not.
+    /// Whether a number agrees with a mistake's prediction at every sample; without a prediction it does not.
     pub(super) fn is_always(&self, place: usize, predicted: impl Fn(&Sample) -> Option<Known>) -> bool {
         self.samples.iter().all(|sample| match (sample.found[place], &sample.expected[place]) {
             (Some(found), Some(_)) => predicted(sample).is_some_and(|known| known.eta(found) <= self.tolerance(place)),

@@ -1,10 +1,10 @@
-//! Every number that is off is a constant times what it should be.
+//! Every wrong number is a constant multiple of the right one.
 
 use super::evidence::{Evidence, LEAST, Sample};
 use jointproof::formula::Field;
 use std::collections::BTreeSet;
 
-/// Factors that have a name.
+/// Factors with names.
 const NAMED: [(f64, &str); 11] = [
     (-1.0, "the sign is turned of"),
     (0.0, "left out (always 0):"),
@@ -19,10 +19,10 @@ const NAMED: [(f64, &str); 11] = [
     (1.0, "more rounding than the bound allows in"),
 ];
 
-/// Different factors that may be told at once.
+/// The largest number of different factors that are reported together.
 const GROUPS: usize = 3;
 
-/// What factors explain, in words.
+/// The explanation by factors, in words.
 pub(super) fn cause(evidence: &Evidence<'_>, off: &[usize]) -> Option<String> {
     let mut groups: Vec<(f64, Vec<usize>)> = Vec::new();
     for &place in off {
@@ -37,13 +37,13 @@ pub(super) fn cause(evidence: &Evidence<'_>, off: &[usize]) -> Option<String> {
     (!told.is_empty() && told.len() <= GROUPS).then(|| told.join("; "))
 }
 
-/// The constant by which a number is multiplied at every sample.
+/// The constant factor of a number at all samples.
 fn factor(evidence: &Evidence<'_>, place: usize) -> Option<f64> {
     let mut seen: Vec<_> = evidence.off_samples(&[place]);
     if seen.len() < LEAST {
         return None;
     }
-    // Where the number is large against what rounding does to it, the factor is known best.
+    // The factor is most accurate where the number is large compared with its rounding error.
     let size = |sample: &&Sample| {
         let known = sample.expected[place].as_ref().expect("what is off was judged");
         known.eta(2.0 * known.exact.to_f64())
@@ -53,7 +53,7 @@ fn factor(evidence: &Evidence<'_>, place: usize) -> Option<f64> {
     let ratio = found / known.exact.to_f64();
     let named = NAMED.iter().map(|(factor, _)| *factor).find(|factor| (factor - ratio).abs() <= 1e-12 * ratio.abs());
     let factor = named.unwrap_or(ratio);
-    // A number that never changes fits any factor.
+    // A number that never changes is consistent with any factor.
     let is_constant = seen.iter().all(|sample| sample.expected[place].is_some_and(|other| other.exact == known.exact));
     if !factor.is_finite() || named.is_none() && is_constant {
         return None;
@@ -73,7 +73,7 @@ fn word(factor: f64) -> Option<String> {
     (deviation >= 1e-4).then(|| format!("a factor of {factor:.6} too much in"))
 }
 
-/// Which numbers these are, in the fewest words.
+/// A name for these numbers, in as few words as possible.
 fn whose(evidence: &Evidence<'_>, places: &[usize]) -> String {
     let [value, rest] = evidence.parts();
     let places: BTreeSet<usize> = places.iter().copied().collect();
@@ -110,7 +110,7 @@ fn count(fields: &[Field]) -> usize {
     fields.iter().map(Field::len).sum()
 }
 
-/// The rows or columns that these entries are, if they are just that: whole fields by their names, else components.
+/// Whether these entries are exactly certain rows or columns, and which: whole fields by their names, else components.
 fn lines(
     fields: &[Field],
     entries: &BTreeSet<usize>,

@@ -1,4 +1,4 @@
-//! Inputs that are not what they are taken for: in degrees, of single precision, exchanged, with the other sign.
+//! Misinterpreted inputs: in degrees, in single precision, exchanged, or with the opposite sign.
 
 use super::evidence::{Evidence, LEAST, Sample};
 use super::observed::rounded;
@@ -8,10 +8,10 @@ use jointproof::toolkit::verify::Known;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use std::f64::consts::PI;
 
-/// Other inputs in the place of those that were asked for.
+/// Other inputs in place of the ones given.
 pub(super) struct Other {
     pub(super) what: String,
-    /// Where each component comes from, and by what it is multiplied.
+    /// The source of each component, and its factor.
     from: Vec<(usize, f64)>,
     is_single: bool,
 }
@@ -23,22 +23,22 @@ impl Other {
     }
 }
 
-/// How the Jacobian follows.
+/// How the Jacobian follows from the other inputs.
 #[derive(Clone, Copy, PartialEq)]
 enum Chain {
     /// As it is at the other inputs.
     There,
-    /// Taken by the inputs that were asked for.
+    /// With respect to the original inputs.
     ByOriginals,
 }
 
-/// The mistake with inputs that explains these numbers, in words.
+/// The mistake in the inputs that explains these numbers, in words.
 pub(super) fn cause(evidence: &Evidence<'_>, off: &[usize]) -> Option<String> {
     let samples = evidence.off_samples(off);
     if samples.len() < LEAST {
         return None;
     }
-    // Whoever takes other inputs has all results of them, also those that happen to be right.
+    // With other inputs all results are affected, including those that happen to be right.
     let parts = evidence.parts().into_iter().filter(|part| !evidence.off_in(part).is_empty());
     let parts: Vec<_> = parts.filter(|part| off.iter().any(|place| part.contains(place))).flatten().collect();
     let off = parts.as_slice();
@@ -53,7 +53,7 @@ pub(super) fn cause(evidence: &Evidence<'_>, off: &[usize]) -> Option<String> {
     others(inputs).into_iter().find(fits).map(|other| other.what)
 }
 
-/// Whether the numbers that are off are, in doubles, about what the other inputs would give.
+/// Whether the wrong numbers are approximately, in doubles, those for the other inputs.
 fn is_near(evidence: &Evidence<'_>, sample: &Sample, off: &[usize], other: &Other, chain: Chain) -> bool {
     let there = other.of(sample.inputs(evidence));
     let Ok((value, jacobian)) = evidence.court.formula.value_and_jacobian(&there) else { return false };
@@ -64,17 +64,17 @@ fn is_near(evidence: &Evidence<'_>, sample: &Sample, off: &[usize], other: &Othe
     };
     let fits = |&place: &usize| {
         let (Some(found), Some(known)) = (sample.found[place], &sample.expected[place]) else { return true };
-        // Half of the digits, or what is not off at all.
+        // Half of the digits agree, or the number is not wrong at all.
         let expected = at(place);
         known.with(expected.into()).eta(found) <= 1e8 || known.eta(found) <= evidence.tolerance(place)
     };
     off.iter().all(fits)
 }
 
-/// Whether they are in 237 bits, everywhere.
+/// Whether they agree in 237 bits, at all samples.
 fn is_exact(evidence: &Evidence<'_>, off: &[usize], other: &Other, chain: Chain) -> bool {
     let m = evidence.parts()[0].len();
-    // Parts are looked at as a whole.
+    // Each part is checked as a whole.
     let has_jacobian = off.contains(&m);
     let samples: Vec<_> = evidence.samples.iter().collect();
     let formula = evidence.court.formula;
@@ -101,7 +101,7 @@ fn is_exact(evidence: &Evidence<'_>, off: &[usize], other: &Other, chain: Chain)
     results.all(|fits| fits)
 }
 
-/// From which numbers at the other inputs a number follows, each with its factor.
+/// The numbers at the other inputs from which a number follows, each with its factor.
 fn sources(other: &Other, chain: Chain, m: usize, place: usize) -> Vec<(usize, f64)> {
     if place < m || chain == Chain::There {
         return vec![(place, 1.0)];
@@ -112,7 +112,7 @@ fn sources(other: &Other, chain: Chain, m: usize, place: usize) -> Vec<(usize, f
     follows.map(|(k, (_, factor))| (m + row * n + k, *factor)).collect()
 }
 
-/// Every mistake with inputs that is looked for.
+/// All mistakes in the inputs that are searched for.
 pub(super) fn others(inputs: &[Field]) -> Vec<Other> {
     let count = inputs.iter().map(Field::len).sum();
     let same: Vec<_> = (0..count).map(|k| (k, 1.0)).collect();

@@ -1,11 +1,11 @@
-//! The mistakes that are looked for in the operations of a formula.
+//! The mistakes searched for in the operations of a formula.
 
 use super::observed::rounded;
 use super::wording::{component, expression};
 use jointproof::formula::Field;
 use jointproof::toolkit::graph::{Binary, Graph, Instead, Node, Op, Unary};
 
-/// A mistake: what it is, and what stands where.
+/// A mistake: its description, its location, and the replacement there.
 pub(super) struct Mistake {
     pub(super) sort: Sort,
     pub(super) what: String,
@@ -13,7 +13,7 @@ pub(super) struct Mistake {
     pub(super) instead: Instead,
 }
 
-/// What sort of a mistake, the first to be named first.
+/// The kind of a mistake; kinds listed first are reported first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Sort {
     Constant,
@@ -25,10 +25,10 @@ pub(super) enum Sort {
     Factor,
 }
 
-/// What may stand in the place of an operation: the sort of mistake, its name, and what it is.
+/// Possible replacements of an operation: the kind of mistake, its name, and the replacement.
 type Instances = Vec<(Sort, String, Instead)>;
 
-/// Every mistake that is looked for in what these results are computed from, those near the result first.
+/// All mistakes searched for in the operations that these results need, those near the results first.
 pub(super) fn mistakes(graph: &Graph, inputs: &[Field], wanted: &[Node]) -> Vec<Mistake> {
     let all = graph.needed(&[graph.value.as_slice(), &graph.jacobian].concat());
     let input = |node: Node| if let Op::Input(k) = graph.op(node) { Some((*k, node)) } else { None };
@@ -44,7 +44,7 @@ pub(super) fn mistakes(graph: &Graph, inputs: &[Field], wanted: &[Node]) -> Vec<
 struct Formula<'a> {
     graph: &'a Graph,
     inputs: &'a [Field],
-    /// The components that it uses, and where they stand.
+    /// The components it uses, and their nodes.
     known: Vec<(usize, Node)>,
 }
 
@@ -156,7 +156,7 @@ impl Formula<'_> {
         }
     }
 
-    /// Another input in the place of one.
+    /// Another input in place of this one.
     fn other_inputs(&self, node: Node) -> Instances {
         let op = self.graph.op(node);
         if matches!(op, Op::Select(..) | Op::Compare(..) | Op::ExactSum(_) | Op::Search(..)) {
@@ -205,7 +205,7 @@ mod tests {
         assert_eq!([0.5, -2.0, 1e300].map(|number| others(number).len()), [0; 3]);
     }
 
-    /// Every mistake in the values of a few formulas, and what their outputs are with it.
+    /// All mistakes in the values of a few formulas, and the resulting outputs.
     #[test]
     fn all_mistakes_and_what_comes_of_them() {
         let of = |(id, at): (&str, &[f64])| {

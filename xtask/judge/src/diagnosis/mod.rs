@@ -1,5 +1,5 @@
-//! What one mistake explains all that was found. Mistakes are tried in 237 bits, the simplest first; where none explains every
-//! number at every point, nothing is said but that.
+//! Searches for the one mistake that explains everything. Mistakes are tried in 237 bits, the simplest first; if none
+//! explains every number at every point, only that is reported.
 
 mod altered;
 mod evidence;
@@ -19,7 +19,7 @@ use super::question::Wanted;
 use super::verdict::{Court, Verdict};
 use evidence::{Evidence, LEAST};
 
-/// What is known of the cause, a line each.
+/// The known causes, one line each.
 pub(super) fn diagnose(court: &Court<'_>, answers: &[Vec<Answer>; 2], verdict: &Verdict) -> Vec<String> {
     if verdict.off.is_empty() {
         return Vec::new();
@@ -59,7 +59,7 @@ fn explain(evidence: &Evidence<'_>) -> Vec<String> {
     vec![of("value", &value), of("Jacobian", &rest)]
 }
 
-/// The mistake that makes these numbers what they are; all others of the part are as they should be.
+/// The mistake that explains these numbers; all others of the same part are right.
 fn cause(evidence: &Evidence<'_>, off: &[usize]) -> Option<String> {
     let linear = factors::cause(evidence, off).or_else(|| permuted::cause(evidence, off));
     if evidence.court.wanted == Wanted::Products {

@@ -1,10 +1,10 @@
-//! What is seen in the numbers themselves.
+//! Patterns in the wrong numbers themselves.
 
 use super::evidence::{Evidence, LEAST};
 use std::collections::BTreeSet;
 use std::ops::RangeInclusive;
 
-/// It is off on kinks alone.
+/// Numbers are wrong only on kinks.
 pub(super) fn on_kinks(evidence: &Evidence<'_>) -> Option<String> {
     let off = evidence.off_samples(&evidence.off);
     let kinks: BTreeSet<_> = off.iter().map(|sample| sample.kink.as_deref()).collect();
@@ -22,7 +22,7 @@ pub(super) fn on_kinks(evidence: &Evidence<'_>) -> Option<String> {
     })
 }
 
-/// All that is off has the digits of single precision alone.
+/// All wrong numbers have only the digits of single precision.
 pub(super) fn single_precision(evidence: &Evidence<'_>, off: &[usize]) -> Option<String> {
     let samples = evidence.off_samples(off);
     let mut seen = 0;
@@ -33,17 +33,17 @@ pub(super) fn single_precision(evidence: &Evidence<'_>, off: &[usize]) -> Option
             if found != f64::from(rounded(found)) || found != f64::from(rounded(own)) {
                 return None;
             }
-            // What overflows does so in either precision.
+            // An overflow occurs in either precision.
             seen += usize::from(found.is_finite());
         }
     }
     (seen >= LEAST).then(|| "results are rounded to single precision".to_owned())
 }
 
-/// Numbers whose squares are in the range of doubles, with some digits to spare.
+/// Numbers whose squares are in the range of doubles, with a margin.
 const SQUARED: RangeInclusive<f64> = 1e-140..=1e140;
 
-/// It is off where inputs are so large or so small that their squares are not in the range of doubles, and right elsewhere.
+/// Numbers are wrong where squares of inputs leave the range of doubles, and right elsewhere.
 pub(super) fn out_of_range(evidence: &Evidence<'_>, off: &[usize]) -> Option<String> {
     let samples = evidence.off_samples(off);
     let is_extreme = |x: &f64| *x != 0.0 && !SQUARED.contains(&x.abs());
@@ -63,7 +63,7 @@ pub(super) fn out_of_range(evidence: &Evidence<'_>, off: &[usize]) -> Option<Str
     })
 }
 
-/// In single precision.
+/// Rounded to single precision.
 #[expect(clippy::cast_possible_truncation, reason = "the mistake that is looked for")]
 pub(super) fn rounded(x: f64) -> f32 {
     x as f32

@@ -1,4 +1,4 @@
-//! Numbers that stand in each other's places.
+//! Permuted numbers.
 
 use super::evidence::{Evidence, LEAST, Sample};
 use super::factors::list;
@@ -6,10 +6,10 @@ use crate::question::Wanted;
 use jointproof::formula::Field;
 use std::collections::BTreeSet;
 
-/// Where a number of an answer comes from.
+/// The source of each number of an answer.
 type Places = Vec<usize>;
 
-/// The exchange that explains these numbers, in words.
+/// The permutation that explains these numbers, in words.
 pub(super) fn cause(evidence: &Evidence<'_>, off: &[usize]) -> Option<String> {
     if evidence.court.wanted == Wanted::Products {
         return None;
@@ -17,7 +17,8 @@ pub(super) fn cause(evidence: &Evidence<'_>, off: &[usize]) -> Option<String> {
     exchanges(evidence).into_iter().find(|(_, places)| explains(evidence, off, places)).map(|(what, _)| what)
 }
 
-/// Whether every number that is off is what stands in its place now, and those of the same part that are not stay right.
+/// Whether every wrong number is the one that the permutation puts in its position, and those of the same part that
+/// are right stay right.
 fn explains(evidence: &Evidence<'_>, off: &[usize], places: &Places) -> bool {
     if off.iter().any(|&place| places[place] == place) {
         return false;
@@ -29,7 +30,7 @@ fn explains(evidence: &Evidence<'_>, off: &[usize], places: &Places) -> bool {
         .all(|place| evidence.is_always(place, |sample: &Sample| sample.expected[places[place]]))
 }
 
-/// Every exchange that has a name; one that moves nothing explains nothing.
+/// All permutations with a name; one that moves nothing explains nothing.
 pub(super) fn exchanges(evidence: &Evidence<'_>) -> Vec<(String, Places)> {
     let (inputs, outputs) = (evidence.court.formula.inputs(), evidence.court.formula.outputs());
     let count = |fields: &[Field]| fields.iter().map(Field::len).sum::<usize>();
@@ -76,7 +77,7 @@ pub(super) fn exchanges(evidence: &Evidence<'_>) -> Vec<(String, Places)> {
     exchanges
 }
 
-/// Square blocks of the Jacobian transposed: all at once, or one.
+/// Square blocks of the Jacobian transposed: all at once, or a single one.
 fn blocks(
     inputs: &[Field],
     outputs: &[Field],
@@ -121,7 +122,7 @@ fn matrices(outputs: &[Field], same: &Places, n: usize, has_jacobian: bool) -> V
     exchanges
 }
 
-/// Transposes an output that is a 3×3 matrix and begins here, with so many derivatives; there are m outputs.
+/// Transposes an output that is a 3×3 matrix starting at this index, with the given number of derivatives; there are m outputs.
 pub(super) fn transpose(places: &mut [usize], first: usize, [m, derivatives]: [usize; 2]) {
     for (i, j) in [(0, 1), (0, 2), (1, 2)] {
         let (a, b) = (first + 3 * i + j, first + 3 * j + i);
@@ -132,7 +133,7 @@ pub(super) fn transpose(places: &mut [usize], first: usize, [m, derivatives]: [u
     }
 }
 
-/// Two components each, with a name for both.
+/// Pairs of components, with a name for each pair.
 fn pairs(fields: &[Field]) -> Vec<(String, usize, usize)> {
     let component = |field: &Field| {
         let name = field.name;
@@ -147,7 +148,7 @@ fn pairs(fields: &[Field]) -> Vec<(String, usize, usize)> {
     pairs
 }
 
-/// Every entry that is off holds another entry of the Jacobian, or its opposite.
+/// Every wrong entry contains another entry of the Jacobian, or its opposite.
 pub(super) fn entries(evidence: &Evidence<'_>, off: &[usize]) -> Option<String> {
     let [value, rest] = evidence.parts();
     let mut told = Vec::new();
@@ -167,7 +168,7 @@ pub(super) fn entries(evidence: &Evidence<'_>, off: &[usize]) -> Option<String> 
     (!told.is_empty() && told.len() <= 4).then(|| format!("an index is wrong: {}", told.join("; ")))
 }
 
-/// Whether it is worth a closer look.
+/// Whether it merits an exact check.
 fn is_near(sample: &Sample, place: usize, source: usize, sign: f64) -> bool {
     let (Some(found), Some(known)) = (sample.found[place], &sample.expected[source]) else { return false };
     let known = known.exact.to_f64() * sign;
@@ -195,7 +196,7 @@ mod tests {
 
     #[test]
     fn a_matrix_is_transposed_where_it_stands() {
-        // A number, a matrix, another number, and their derivatives by two inputs.
+        // A number, a matrix, another number, and their derivatives with respect to two inputs.
         let (first, m, n) = (1, 11, 2);
         let same: Vec<usize> = (0..m + m * n).collect();
         let of =

@@ -1,4 +1,4 @@
-//! State that is kept between calls: answers that belong to another point.
+//! State kept between calls: answers that belong to another point.
 
 use super::super::answer::Answer;
 use super::super::map::names;
@@ -9,13 +9,13 @@ use super::factors::list;
 use jointproof::toolkit::verify::Judge;
 use std::collections::BTreeSet;
 
-/// So many answers are looked at.
+/// The number of answers examined.
 const ANSWERS: usize = 80;
 
-/// What the state is, if it tells.
+/// A description of the state, if it can be identified.
 pub(super) fn diagnose(court: &Court<'_>, answers: &[Vec<Answer>; 2], verdict: &Verdict) -> String {
     let count = court.questions.len();
-    // Valid questions in the order in which they were asked, each with its turn.
+    // Valid questions in the order in which they were asked, each with its pass.
     let turns = (0..count).map(|k| (0, k)).chain(other_order(count).into_iter().map(|k| (1, k)));
     let asked: Vec<_> = turns.filter(|&(_, k)| matches!(court.questions[k].own, Own::Results(_))).collect();
     let judge = court.formula.judge();
@@ -29,7 +29,7 @@ pub(super) fn diagnose(court: &Court<'_>, answers: &[Vec<Answer>; 2], verdict: &
     "state is kept between calls; what it is does not show".into()
 }
 
-/// Whether every answer that is off belongs to the question before it, or to the first one.
+/// Whether every wrong answer belongs to the previous question, or to the first one.
 fn belongs(
     court: &Court<'_>,
     judge: &Judge,

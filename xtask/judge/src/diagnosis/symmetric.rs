@@ -1,12 +1,12 @@
-//! A stiffness by rotation vectors in the place of one by spins.
+//! A stiffness with respect to rotation vectors instead of spins.
 //!
-//! Spins about different axes do not commute: the block of a node's own spin has a skew part, the node's moment. By rotation
-//! vectors, counted from where the node is, it has none.
+//! Spins about different axes do not commute: the block of a node's own spin has a skew part, given by the node's
+//! moment. With respect to rotation vectors measured from the current orientation, it has none.
 //!
-//! By a rotation vector θ that is counted from elsewhere, the stiffness is K T(θ), where T turns a change of θ into a spin.
-//! That is not named: no formula has θ among its inputs. Orientations come as unit vectors, of the second node often one
-//! alone, and the triad from which a program counts is known to that alone. A θ fitted to its answers would be three free
-//! numbers a point, where no repair that is tried has any.
+//! With respect to a rotation vector θ measured from another orientation, the stiffness is K T(θ), where T maps a
+//! change of θ to a spin. This case is not diagnosed: no formula has θ among its inputs. Orientations are given as
+//! unit vectors, often a single one for the second node, and only the program knows the triad from which it measures.
+//! Fitting θ to its answers would use three free numbers per point, whereas all the other mistakes tried have none.
 
 use super::evidence::{Evidence, Sample};
 use super::permuted::transpose;
@@ -22,7 +22,7 @@ pub(super) fn cause(evidence: &Evidence<'_>, off: &[usize]) -> Option<String> {
     Some(format!("by rotation vectors, not by spins: the symmetric part of {}", names.join(", ")))
 }
 
-/// The blocks of a node's own spin: names, and where they begin.
+/// The blocks of a node's own spin: their names and first indices.
 fn blocks(outputs: &'static [Field]) -> Vec<(&'static str, usize)> {
     let mut first = 0;
     let mut blocks = Vec::new();
@@ -40,11 +40,11 @@ fn blocks(outputs: &'static [Field]) -> Vec<(&'static str, usize)> {
     blocks
 }
 
-/// Whether every number that is off, and every other one of the same part, is what the symmetric parts of these blocks have.
+/// Whether all numbers of the part, wrong or right, are those obtained with the symmetric parts of these blocks.
 fn explains(evidence: &Evidence<'_>, off: &[usize], blocks: &[(&str, usize)]) -> bool {
     let m = sizes(evidence.court.formula)[1];
     let mut mirrored: Vec<_> = (0..evidence.names.len()).collect();
-    // As many as there are inputs, or none.
+    // As many derivatives as there are inputs, or none.
     let derivatives = (mirrored.len() - m) / m;
     for (_, first) in blocks {
         transpose(&mut mirrored, *first, [m, derivatives]);

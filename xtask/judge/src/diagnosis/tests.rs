@@ -1,4 +1,4 @@
-//! What is said of answers at a few points, which are made for it.
+//! Diagnoses of answers at a few points, constructed for the purpose.
 
 mod observed;
 mod state;
@@ -9,16 +9,16 @@ use crate::question::{Own, Question, of_points};
 use crate::verdict::Bounds;
 use jointproof::catalog::find;
 
-/// The numbers of an answer, to be changed.
+/// The numbers of an answer, to be altered.
 type Numbers = Vec<Option<f64>>;
 
-/// A formula, asked at some points.
+/// The questions about a formula at some points.
 fn asked(id: &str, wanted: Wanted, points: &[&[f64]]) -> Vec<Question> {
     let named = points.iter().enumerate().map(|(k, inputs)| (format!("point {k}"), inputs.to_vec()));
     of_points(find(id).unwrap(), wanted, named.collect(), 1)
 }
 
-/// What a look at the answers to these questions says, with the mistake that is made.
+/// The result of examining the answers to these questions after a mistake.
 fn looked<T>(
     (id, wanted): (&'static str, Wanted),
     questions: &[Question],
@@ -36,7 +36,7 @@ fn looked<T>(
     look(&Court { formula, wanted, bounds: Bounds::of(formula), questions }, answers)
 }
 
-/// What explains it, a line each.
+/// The causes, one line each.
 fn causes(what: (&'static str, Wanted), points: &[&[f64]], mistake: impl Fn(&[f64], &mut Numbers)) -> Vec<String> {
     looked(what, &asked(what.0, what.1, points), mistake, |court, answers| {
         let answers = [answers.clone(), answers];
@@ -44,7 +44,7 @@ fn causes(what: (&'static str, Wanted), points: &[&[f64]], mistake: impl Fn(&[f6
     })
 }
 
-/// The one thing that explains all.
+/// The single cause of everything.
 #[track_caller]
 fn cause(what: (&'static str, Wanted), points: &[&[f64]], mistake: impl Fn(&[f64], &mut Numbers)) -> String {
     let causes = causes(what, points, mistake);
@@ -58,9 +58,9 @@ fn times(number: &mut Option<f64>, factor: f64) {
 
 const CONTACT: &[&[f64]] = &[&[3.0, 4.0], &[1.0, 2.0], &[2.0, -5.0]];
 const YIELD: &[&[f64]] = &[&[3.0, 0.5, 4.0], &[1.0, 0.25, 3.0], &[2.0, 0.75, 5.0]];
-/// Of a slot, where all terms are there.
+/// Inputs of slot friction with all terms present.
 const FRICTION: &[&[f64]] = &[&[-2.0, 3.0, 4.0, 1.0, 0.25], &[3.0, -1.0, 2.0, 0.5, 0.5], &[1.5, 2.0, 7.0, 3.0, 0.75]];
-/// Where the derivatives of the output fn of a slot begin, and those of phi.
+/// The indices of the first derivatives of the outputs fn and phi of a slot.
 const FN: usize = 8;
 const PHI: usize = 13;
 
@@ -84,7 +84,7 @@ fn two_points_may_be_chance_and_three_are_none() {
 
 #[test]
 fn four_indices_may_be_wrong() {
-    // Each holds the derivative by the input after it.
+    // Each contains the derivative with respect to the next input.
     let shifted = |count: usize| {
         move |_: &[f64], y: &mut Numbers| {
             let own = y.clone();
@@ -102,7 +102,7 @@ fn four_indices_may_be_wrong() {
 fn an_index_is_wrong_where_three_points_show_another_number() {
     let friction = ("slot.friction", Wanted::Jacobian);
     let index = |y: &mut Numbers| y[FN + 2] = y[FN + 1];
-    // A sign is no index: no number holds its own opposite.
+    // A sign is not an index: no number contains its own opposite.
     let and_sign = |_: &[f64], y: &mut Numbers| {
         index(y);
         times(&mut y[PHI + 4], -1.0);
@@ -121,13 +121,13 @@ fn a_factor_is_told_with_what_it_is_of_in_the_fewest_words() {
         move |_: &[f64], y: &mut Numbers| places.iter().for_each(|&place| times(&mut y[place], -1.0))
     };
     let friction = |points, places| cause(("slot.friction", Wanted::Jacobian), points, turned(places));
-    // A row, and a column, with one derivative that is not 0, and with two.
+    // A row and a column with one non-zero derivative, and with two.
     assert_eq!(friction(FRICTION, &[3]), "the sign is turned of ∂p/∂f1");
     assert_eq!(friction(FRICTION, &[PHI + 4]), "the sign is turned of ∂phi/∂mu");
     assert_eq!(friction(FRICTION, &[FN + 1, PHI + 1]), "the sign is turned of the derivatives by f2");
     let plane: &[&[f64]] = &[&[-2.0, 3.0, 0.0, 1.0, 0.25], &[3.0, -1.0, 0.0, 0.5, 0.5], &[1.0, 2.0, 0.0, 3.0, 0.75]];
     assert_eq!(friction(plane, &[FN + 1, FN + 3]), "the sign is turned of the derivatives of fn");
-    // A Jacobian with one derivative that is not 0, and with two.
+    // A Jacobian with one non-zero derivative, and with two.
     let sticks: &[&[f64]] = &[&[1.0, 0.5, 4.0], &[-0.5, 0.25, 3.0], &[0.75, 0.75, 5.0]];
     let said = cause(("coulomb.return_map", Wanted::Jacobian), sticks, turned(&[1]));
     assert_eq!(said, "the sign is turned of ∂f/∂f_trial");
@@ -169,7 +169,7 @@ fn what_is_off_at_one_point_does_not_hide_what_is_off_at_all() {
 fn a_mistake_may_be_in_one_derivative_alone() {
     let points: &[&[f64]] =
         &[&[1.0, 2.0, 3.0, 4.0, 7.0, 5.0], &[-1.0, 0.5, 2.0, 3.0, 1.0, -4.0], &[0.5, 0.25, -3.0, 2.0, -1.0, 1.5]];
-    // The first output is of unit length: its derivatives are times one over the length, which is the last output.
+    // The first output is a unit vector: its derivatives are divided by the length, which is the last output.
     let undivided = |_: &[f64], y: &mut Numbers| y[4] = y[4].zip(y[3]).map(|(slope, length)| slope * length);
     let said = cause(("slider.line", Wanted::Jacobian), points, undivided);
     assert!(said.starts_with("the factor 1 / length("), "{said}");
@@ -188,7 +188,7 @@ fn a_mistake_may_be_in_the_value_and_in_one_derivative() {
 
 #[test]
 fn of_two_mistakes_the_simpler_one_is_named() {
-    // Where p is 1 it may as well be the factor fn that is missing.
+    // If p is 1, a missing factor fn is an equally good explanation.
     let points: &[&[f64]] = &[&[1.0, 0.5, 4.0], &[1.0, 0.25, 3.0], &[1.0, 0.75, 5.0]];
     let said = cause(("coulomb.yield", Wanted::Value), points, |x, y| y[0] = Some(1.0 - x[1]));
     assert_eq!(said, "p for fn in mu fn");
@@ -196,7 +196,7 @@ fn of_two_mistakes_the_simpler_one_is_named() {
 
 #[test]
 fn an_explanation_holds_where_the_program_would_have_refused() {
-    // Inputs are exchanged, but not where one would be refused in the other's place.
+    // Inputs are exchanged, except where an exchanged input would be rejected.
     let exchanged = |x: &[f64], y: &mut Numbers| {
         if x[0] >= 0.0 {
             let (value, _) =
@@ -212,7 +212,7 @@ fn an_explanation_holds_where_the_program_would_have_refused() {
 
 #[test]
 fn other_inputs_may_lie_on_a_kink() {
-    // At the first point it sticks, and twice the force is just what friction bears.
+    // At the first point it sticks, and twice the force is exactly the friction limit.
     let points: &[&[f64]] = &[&[1.0, 0.5, 4.0], &[0.5, 0.25, 5.0], &[3.0, 0.5, 4.0], &[0.25, 0.75, 5.0]];
     let twice = |x: &[f64], y: &mut Numbers| {
         let of = find("coulomb.return_map").unwrap().value_and_jacobian(&[2.0 * x[0], x[1], x[2]]).unwrap();
@@ -248,7 +248,7 @@ fn an_exchange_explains_all_that_is_off_in_a_part_and_needs_no_other_part() {
 
 #[test]
 fn beside_a_kink_no_answer_tells() {
-    // It sticks by a rounding.
+    // It sticks by a rounding error.
     let said = causes(("coulomb.return_map", Wanted::Jacobian), &[&[1.0, 0.1, 10.0]], |_, y| y[0] = Some(1.5));
     assert_eq!(said, ["it is off where a rounding decides on which side of a kink it is, and nowhere else"]);
 }
@@ -289,7 +289,7 @@ fn symmetric_parts_explain_all_of_a_part_or_nothing() {
         &[0.0, 0.6, 0.8, 0.8, 0.0, 0.6, -0.5],
         &[0.8, 0.0, 0.6, 0.6, 0.8, 0.0, 2.5],
     ];
-    // The first block of three is symmetrised; its derivatives are turned there.
+    // The first of three blocks is symmetrised, and the entries of its derivatives are transposed.
     let mistake = |_: &[f64], y: &mut Numbers| {
         for (a, b) in [(1, 3), (2, 6), (5, 7)] {
             let half = y[a].zip(y[b]).map(|(x, y)| f64::midpoint(x, y));
@@ -300,7 +300,7 @@ fn symmetric_parts_explain_all_of_a_part_or_nothing() {
     let said = causes(("universal.geometric_stiffness", Wanted::Jacobian), points, mistake);
     let explained = "value: by rotation vectors, not by spins: the symmetric part of k_ta_ta";
     assert_eq!(said, [&format!("{explained}: this explains all 3 points looked at"), "Jacobian: unexplained"]);
-    // The diagonal has nothing to do with it.
+    // The diagonal is unaffected.
     let stiffness = ("universal.geometric_stiffness", Wanted::Value);
     let said = causes(stiffness, points, |_, y| {
         y[0] = y[0].map(|x| 1.0 + 2.0 * x * x);

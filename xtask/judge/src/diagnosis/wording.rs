@@ -1,20 +1,20 @@
-//! What a result of a graph is, in a few symbols.
+//! A short description of a result of a graph.
 
 use jointproof::formula::Field;
 use jointproof::toolkit::graph::{Binary, Graph, Node, Op, Relation, Unary};
 
-/// How deep it is written out.
+/// The depth to which it is written out.
 const DEPTH: usize = 4;
-/// And how long it may get.
+/// The largest length.
 const LONGEST: usize = 60;
 
-/// An expression in the names of the inputs; what is deeper is `…`.
+/// An expression in terms of the input names; deeper parts are written as `…`.
 pub(super) fn expression(graph: &Graph, inputs: &[Field], node: Node) -> String {
     let write = |depth| text(graph, inputs, node, depth, false);
     (1..=DEPTH).rev().map(write).find(|text| text.chars().count() <= LONGEST).unwrap_or_else(|| "…".into())
 }
 
-/// With parentheses where it is a sum within a product.
+/// In parentheses if it is a sum within a product.
 fn text(graph: &Graph, inputs: &[Field], node: Node, depth: usize, tight: bool) -> String {
     let is_atom = matches!(graph.op(node), Op::Input(_) | Op::Number(_));
     let Some(depth) = depth.checked_sub(usize::from(!is_atom)) else { return "…".into() };
@@ -86,7 +86,7 @@ mod tests {
         let results = |graph: &Graph| [graph.value.as_slice(), &graph.jacobian].concat();
         let nodes = graph.needed(&results(&graph));
         let find = |is_it: &dyn Fn(&Op) -> bool| *nodes.iter().find(|node| is_it(graph.op(**node))).unwrap();
-        // All others stand before it, so that it is a result.
+        // All others come before it, so it is a result.
         let last = *nodes.last().unwrap();
         let place = results(&graph).iter().position(|node| *node == last).unwrap();
         let sum = find(&|op| matches!(op, Op::Binary(Binary::Add, ..)));

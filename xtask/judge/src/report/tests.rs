@@ -4,7 +4,7 @@ use crate::question::{Wanted, of_points};
 use crate::verdict::{Bounds, Tally};
 use jointproof::catalog::find;
 
-/// What is said of what was found at so many points of a formula, line by line.
+/// The report of results at this many points of a formula, line by line.
 fn lines(id: &str, wanted: Wanted, points: usize, found: &Verdict) -> Vec<String> {
     with_court(id, wanted, points, |court| {
         let text = text(court, &["mine".to_owned()], found, &Heard::default(), None, &[]);

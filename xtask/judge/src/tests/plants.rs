@@ -1,25 +1,25 @@
-//! The mistakes that are planted.
+//! The planted mistakes.
 
 use super::super::question::Wanted::{self, Jacobian, Products, Value};
 use std::f64::consts::PI;
 
-/// What is done otherwise.
+/// The effect of a mistake.
 #[derive(Clone, Copy)]
 pub(super) enum Plant {
     Nothing,
-    /// To valid inputs.
+    /// Alters valid inputs.
     Before(fn(&mut [f64])),
-    /// To the numbers of an answer, from the inputs.
+    /// Alters the numbers of an answer, given the inputs.
     After(fn(&[f64], &mut [f64])),
-    /// To both.
+    /// Alters both.
     Both(fn(&mut [f64]), fn(&[f64], &mut [f64])),
-    /// To both; the last number is not given where a bit of the first input is 0.
+    /// Alters both; the last number is omitted if a certain bit of the first input is 0.
     Gaps(fn(&mut [f64]), fn(&[f64], &mut [f64])),
 }
 
 use Plant::{After, Before, Both, Gaps, Nothing};
 
-/// A name, the formula, what is answered, and the mistake.
+/// A name, the formula, the requested results, and the mistake.
 pub(super) const PLANTS: &[(&str, &str, Wanted, Plant)] = &[
     ("right", "slot.friction", Jacobian, Nothing),
     ("right value", "slot.friction", Value, Nothing),
@@ -245,7 +245,7 @@ pub(super) const PLANTS: &[(&str, &str, Wanted, Plant)] = &[
     ("a product by one input", "slot.friction", Products, After(|_, y| y[7] *= 2.0)),
 ];
 
-/// Where the derivatives of the outputs fn and phi of `slot.friction` begin.
+/// The indices of the first derivatives of the outputs fn and phi of `slot.friction`.
 const FN: usize = 8;
 const PHI: usize = 13;
 
@@ -261,7 +261,7 @@ fn move_entries(numbers: &mut [f64], from: fn(usize) -> usize) {
     (0..15).for_each(|k| numbers[3 + k] = jacobian[from(k)]);
 }
 
-/// The derivatives of the output of `element.rotation_vector` by the input that begins there, transposed.
+/// Transposes the derivatives of the output of `element.rotation_vector` with respect to the input that starts at this index.
 fn transpose_block(numbers: &mut [f64], first: usize) {
     for (i, j) in [(0, 1), (0, 2), (1, 2)] {
         numbers.swap(3 + 6 * i + first + j, 3 + 6 * j + first + i);
@@ -273,7 +273,7 @@ fn exchange_rows(numbers: &mut [f64], [m, n]: [usize; 2], a: usize, b: usize) {
     (0..n).for_each(|j| numbers.swap(m + n * a + j, m + n * b + j));
 }
 
-/// The symmetric part of a matrix of `universal.geometric_stiffness`, with its derivatives by seven inputs.
+/// The symmetric part of a matrix of `universal.geometric_stiffness`, with its derivatives with respect to seven inputs.
 fn symmetrise(numbers: &mut [f64], first: usize) {
     for pair in [[0, 1], [0, 2], [1, 2]] {
         symmetrise_pair(numbers, first, pair);
@@ -302,7 +302,7 @@ fn friction(x: &[f64], fc: f64) -> (f64, f64) {
     (normal, x[0].abs() - x[4] * normal)
 }
 
-/// What `coulomb.return_map` transmits where it slips.
+/// The force transmitted by `coulomb.return_map` during slip.
 fn slips(x: &[f64]) -> f64 {
     if x[0] == 0.0 { 0.0 } else { (x[1] * x[2]).copysign(x[0]) }
 }

@@ -3,12 +3,12 @@ use crate::question::of_points;
 use jointproof::Octuple;
 use jointproof::catalog::find;
 
-/// A number that rounding of the inputs does not touch.
+/// A number that does not depend on the inputs.
 fn known(exact: f64) -> Known {
     Known::combined(std::iter::empty()).with(Octuple::from(exact))
 }
 
-/// What is said of a formula, asked at these points by their names.
+/// Judges a formula at these named points.
 fn with_court<T>(id: &str, points: &[(&str, &[f64])], look: impl FnOnce(&Court<'_>) -> T) -> T {
     let formula = find(id).unwrap();
     let points = points.iter().map(|(name, inputs)| ((*name).to_owned(), inputs.to_vec())).collect();
@@ -112,7 +112,7 @@ fn the_other_side_of_a_kink_is_a_rounding_of_one_input_away() {
     let on: [f64; 3] = [1.0, 0.5, 2.0];
     let points: [(&str, &[f64]); 3] = [("on", &on), ("off", &[0.75, 0.5, 2.0]), ("random 1 of seed 1", &on)];
     with_court("coulomb.return_map", &points, |court| {
-        // It slips where |f| is μ F_N: a smaller f, and larger factors, lead to where it sticks.
+        // At |f| = μ F_N it slips: a smaller f, or larger factors, lead to sticking.
         let sticks = [[on[0].next_down(), 0.5, 2.0], [1.0, on[1].next_up(), 2.0], [1.0, 0.5, on[2].next_up()]];
         assert_eq!(court.other_sides(0).collect::<Vec<_>>(), sticks);
         assert_eq!([0, 1, 2].map(|k| court.is_beside_kink(k)), [true, false, false]);
@@ -121,7 +121,7 @@ fn the_other_side_of_a_kink_is_a_rounding_of_one_input_away() {
 
 #[test]
 fn beside_a_kink_the_answer_of_the_other_side_is_right_and_on_it_there_is_a_convention() {
-    // As 0.1 is a little more than a tenth, it sticks by a rounding; it is said to slip.
+    // As 0.1 is slightly more than a tenth, it sticks by a rounding error; the program says it slips.
     with_court("coulomb.return_map", &[("beside", &[1.0, 0.1, 10.0])], |court| {
         let found = court.judge(&[0, 1].map(|_| vec![numbers(&[1.0, 0.0, 10.0, 0.1])]));
         assert!(found.beside == 1 && found.judged == 4 && found.is_well(), "{found:?}");

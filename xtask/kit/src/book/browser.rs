@@ -1,4 +1,4 @@
-//! A headless Chromium, driven through its pipe: messages of the `DevTools` protocol, each ended by a zero byte.
+//! A headless Chromium, controlled through a pipe: messages of the `DevTools` protocol, each terminated by a zero byte.
 
 use std::io::{BufRead, BufReader, Write};
 use std::path::Path;
@@ -10,14 +10,14 @@ use anyhow::{Context as _, Result, bail, ensure};
 use serde_json::{Value, json};
 use tempfile::TempDir;
 
-/// The program, as Debian calls it.
+/// The program, with its name in Debian.
 const PROGRAM: &str = "chromium";
 
-/// The pipe is read from file 3 and written to file 4. Without the other switches it looks for hosts on the network.
+/// The pipe is read from file descriptor 3 and written to 4. Without the other switches the browser would access the network.
 const SWITCHES: &str = "--headless=new --no-sandbox --disable-gpu --disable-quic --no-first-run --disable-sync \
     --disable-background-networking --disable-component-update --disable-dev-shm-usage --remote-debugging-pipe";
 
-/// How long an answer may take.
+/// The time limit for an answer.
 const PATIENCE: Duration = Duration::from_mins(4);
 
 /// The size of a screen.
@@ -31,28 +31,28 @@ pub(super) struct Screen {
 /// A small phone.
 pub(super) const PHONE: Screen = Screen { width: 360, height: 740, mobile: true };
 
-/// A desk.
+/// A desktop screen.
 pub(super) const DESK: Screen = Screen { width: 1280, height: 900, mobile: false };
 
-/// A browser with one page, as wide as on a small phone.
+/// A browser with one page, with the width of a small phone.
 pub(super) struct Browser {
     child: Child,
     commands: ChildStdin,
     messages: Receiver<Value>,
     session: Option<String>,
     sent: u64,
-    /// Errors of the page's scripts and its console.
+    /// Errors of the page's scripts, and its console output.
     pub(super) errors: Vec<String>,
     _profile: TempDir,
 }
 
-/// Where this is set, a browser must be here.
+/// If this is set, a browser must be available.
 const REQUIRED: &str = "JOINTPROOF_REQUIRE_CHROMIUM";
 
-/// Whether the browser is here.
+/// Whether the browser is available.
 ///
 /// # Errors
-/// If it is not, and must be.
+/// If it is required but not available.
 pub(super) fn is_here_or_not_required() -> Result<bool> {
     let is_here = is_here();
     ensure!(is_here || std::env::var_os(REQUIRED).is_none(), "{REQUIRED} is set, but {PROGRAM} is not found");
@@ -96,21 +96,21 @@ impl Browser {
         for domain in ["Page", "Runtime", "Log"] {
             browser.call(&format!("{domain}.enable"), &json!({}))?;
         }
-        // The page that is to be printed opens a dialogue, which nobody answers here.
+        // The print page opens a dialogue, which nobody would answer here.
         let unasked = json!({ "source": "window.print = () => {};" });
         browser.call("Page.addScriptToEvaluateOnNewDocument", &unasked)?;
         browser.screen(PHONE)?;
         Ok(browser)
     }
 
-    /// Takes on the size of a screen.
+    /// Sets the size of the screen.
     pub(super) fn screen(&mut self, screen: Screen) -> Result<()> {
         let Screen { width, height, mobile } = screen;
         let metrics = json!({ "width": width, "height": height, "deviceScaleFactor": if mobile { 2 } else { 1 }, "mobile": mobile });
         self.call("Emulation.setDeviceMetricsOverride", &metrics).map(drop)
     }
 
-    /// What a reader prefers, for pages that are opened from now on: dark colours, and less motion.
+    /// Sets the reader's preferences for pages opened from now on: dark colours, and reduced motion.
     pub(super) fn prefer(&mut self, dark: bool, still: bool) -> Result<()> {
         let feature = |name: &str, value: &str| json!({ "name": name, "value": value });
         let scheme = feature("prefers-color-scheme", if dark { "dark" } else { "light" });
@@ -118,13 +118,13 @@ impl Browser {
         self.call("Emulation.setEmulatedMedia", &json!({ "features": [scheme, motion] })).map(drop)
     }
 
-    /// What is seen, as PNG.
+    /// A screenshot, as PNG.
     pub(super) fn screenshot(&mut self) -> Result<Vec<u8>> {
         let answer = self.call("Page.captureScreenshot", &json!({ "format": "png" }))?;
         base64(answer["data"].as_str().unwrap_or_default()).context("the browser sends another picture than PNG")
     }
 
-    /// Presses the key that goes on to the next control.
+    /// Presses the tab key.
     pub(super) fn press_tab(&mut self) -> Result<()> {
         for way in ["keyDown", "keyUp"] {
             self.call("Input.dispatchKeyEvent", &json!({ "type": way, "key": "Tab", "windowsVirtualKeyCode": 9 }))?;
@@ -134,7 +134,7 @@ impl Browser {
 
     /// Opens a page from its file, and waits until it is loaded.
     pub(super) fn open(&mut self, page: &Path) -> Result<()> {
-        // To go to another place of the same page would load nothing.
+        // Navigating within the same page would not load anything.
         self.load("about:blank")?;
         self.load(&format!("file://{}", page.display()))
     }
@@ -149,7 +149,7 @@ impl Browser {
         Ok(())
     }
 
-    /// The value of an expression, a promise being awaited.
+    /// The value of an expression; promises are awaited.
     pub(super) fn evaluate(&mut self, expression: &str) -> Result<Value> {
         let asked = json!({ "expression": expression, "awaitPromise": true, "returnByValue": true });
         let mut answer = self.call("Runtime.evaluate", &asked)?;
@@ -179,7 +179,7 @@ impl Browser {
         }
     }
 
-    /// The next message; errors of the page are noted.
+    /// The next message; errors of the page are recorded.
     fn next(&mut self, until: Instant) -> Result<Value> {
         let left = until.saturating_duration_since(Instant::now());
         let message = self.messages.recv_timeout(left).context("the browser does not answer")?;
@@ -198,7 +198,7 @@ impl Browser {
     }
 }
 
-/// The bytes of a text in base 64.
+/// Decodes base 64.
 fn base64(text: &str) -> Option<Vec<u8>> {
     let digit = |c: u8| match c {
         b'A'..=b'Z' => Some(c - b'A'),
@@ -221,7 +221,7 @@ fn base64(text: &str) -> Option<Vec<u8>> {
     Some(bytes)
 }
 
-/// What an exception says.
+/// The text of an exception.
 fn said(details: &Value) -> String {
     let described = details["exception"]["description"].as_str().or(details["text"].as_str());
     described.map_or_else(|| details.to_string(), String::from)

@@ -1,7 +1,7 @@
 //! Builds a book: mdBook as a library, entries from the catalog, mathematics set at build time.
 //!
-//! [`build`] needs no network and no program beside this one. It writes into a temporary folder and renames it when all
-//! is well, so an interrupted or faulty build leaves the last good book where it was.
+//! [`build`] needs no network and no other program. It writes into a temporary folder and renames it when all is well,
+//! so that an interrupted or faulty build leaves the last good book in place.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -21,23 +21,23 @@ use super::output::write;
 use super::preprocessor::Formulary;
 use super::{links, mend, moving, permalinks, search, source};
 
-/// How a book looks that has no `theme` of its own.
+/// The theme of a book without its own `theme`.
 const THEME: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../book/theme");
 
-/// Its style sheets, beside those of mdBook.
+/// Its style sheets, in addition to those of mdBook.
 const SHEETS: [&str; 2] = ["book.css", "code.css"];
 
-/// How long a half-built folder of an interrupted run is left alone, in case that run is still going.
+/// The age up to which the partial folder of another run is left alone, in case that run is still going.
 const STALE: Duration = Duration::from_mins(10);
 
-/// Where the book goes.
+/// The destination of the book.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Options {
     /// The folder of the finished book; `target/book` under the root if `None`.
     pub(crate) out: Option<PathBuf>,
 }
 
-/// What was built.
+/// A summary of the build.
 #[derive(Debug, Clone)]
 pub(crate) struct Summary {
     /// The first page.
@@ -48,15 +48,15 @@ pub(crate) struct Summary {
     pub(crate) formulas: usize,
     /// Source files with a listing page.
     pub(crate) listings: usize,
-    /// How long it took.
+    /// The duration.
     pub(crate) elapsed: Duration,
 }
 
 /// Builds the book of the repository at `root`, whose chapters are in `book/`.
 ///
 /// # Errors
-/// [`Faults`] (by `downcast_ref`) if something in the book is wrong, all of it in one go; otherwise what the file system
-/// or mdBook says. The book that was there stays in either case.
+/// [`Faults`] (by `downcast_ref`) if something in the book is wrong, with all its faults at once; otherwise an error
+/// of the file system or of mdBook. The previous book is kept in either case.
 pub(crate) fn build(root: &Path, options: &Options, content: Content) -> Result<Summary> {
     let start = Instant::now();
     let out = options.out.clone().unwrap_or_else(|| root.join("target/book"));
@@ -77,7 +77,7 @@ pub(crate) fn build(root: &Path, options: &Options, content: Content) -> Result<
     })
 }
 
-/// Runs mdBook; answers the title of the book and the number of its chapters.
+/// Runs mdBook; returns the title of the book and the number of its chapters.
 fn render(
     book: &Path,
     theme: &Path,
@@ -89,7 +89,7 @@ fn render(
     config.build.build_dir = out.to_path_buf();
     config.build.create_missing = false;
     config.build.use_default_preprocessors = false;
-    // Listing pages and fonts name the style sheets by their plain names.
+    // Listing pages and fonts refer to the style sheets by their plain names.
     config.set("output.html.hash-files", false)?;
     config.set("output.html.theme", theme)?;
     let title = config.book.title.clone().unwrap_or_default();
@@ -101,7 +101,7 @@ fn render(
     Ok((title, book_on_disk.book.chapters().count()))
 }
 
-/// Puts in what was deferred, adds listings and golden files, and follows every link.
+/// Inserts the deferred HTML, adds listings and golden files, and checks every link.
 fn finish(root: &Path, theme: &Path, out: &Path, title: &str, content: &Content, later: &Deferred) -> Result<()> {
     fill(out, "", later)?;
     for sheet in SHEETS {
@@ -126,8 +126,8 @@ fn finish(root: &Path, theme: &Path, out: &Path, title: &str, content: &Content,
     Ok(faults.into_result()?)
 }
 
-/// Fills the placeholders of every page in a folder and below, and names the theme's style sheets behind those of mdBook,
-/// which it copies only from the folder of the book. `to_root` is the way from the folder to the root of the book.
+/// Fills the placeholders of every page in a folder and below, and adds the theme's style sheets after those of mdBook, which
+/// copies only sheets from the book's own folder. `to_root` is the path from the folder to the root of the book.
 fn fill(folder: &Path, to_root: &str, later: &Deferred) -> Result<()> {
     let link = |sheet| format!("<link rel=\"stylesheet\" href=\"{to_root}theme/{sheet}\">\n");
     let head_end = SHEETS.map(link).concat() + "</head>";
@@ -145,11 +145,11 @@ fn fill(folder: &Path, to_root: &str, later: &Deferred) -> Result<()> {
     Ok(())
 }
 
-/// The folder a book is built in; removed when dropped.
+/// The folder in which a book is built; removed when dropped.
 struct Partial(PathBuf);
 
 impl Partial {
-    /// An empty folder beside `out`, named after this process; old leftovers of interrupted runs are removed.
+    /// An empty folder next to `out`, named after this process; old leftovers of interrupted runs are removed.
     fn beside(out: &Path) -> Result<Self> {
         let name = out.file_name().with_context(|| format!("{} cannot hold a book", out.display()))?;
         check_folder(out)?;
@@ -168,7 +168,7 @@ impl Partial {
         Ok(Self(folder))
     }
 
-    /// Puts the finished folder in the place of the old one.
+    /// Replaces the old folder by the finished one.
     fn replace(self, out: &Path) -> Result<()> {
         let mut old = self.0.clone().into_os_string();
         old.push(".old");
@@ -187,7 +187,7 @@ impl Partial {
     }
 }
 
-/// Refuses a folder in which something would be lost.
+/// Rejects a folder in which something would be lost.
 pub(crate) fn check_folder(out: &Path) -> Result<()> {
     if !may_hold_a_book(out) {
         bail!("{} holds something else than a book; give a new or an empty folder", out.display());
@@ -195,7 +195,7 @@ pub(crate) fn check_folder(out: &Path) -> Result<()> {
     Ok(())
 }
 
-/// Whether nothing but an older book is lost when a book is put there.
+/// Whether putting a book there overwrites nothing but an older book.
 fn may_hold_a_book(out: &Path) -> bool {
     match fs::read_dir(out) {
         Ok(mut entries) => entries.next().is_none() || (out.join(".nojekyll").exists() && out.join("toc.js").exists()),

@@ -81,7 +81,7 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     Ok(verdict(is_well))
 }
 
-/// Says what was found, and whether it is well.
+/// Reports the result of a check, and returns whether all is well.
 fn told(found: &impl Display, is_well: bool) -> anyhow::Result<bool> {
     console::print(&format!("{} {found}\n", head(is_well)))?;
     Ok(is_well)
@@ -91,16 +91,16 @@ fn head(is_well: bool) -> String {
     if is_well { console::green("ok ") } else { console::red("off") }
 }
 
-/// Where a browser is not required.
+/// The result if no browser is available and none is required.
 fn absent() -> bool {
     console::say("chromium is not here: the pages are not looked at");
     true
 }
 
-/// Builds the book, and lists all that is wrong with it if it is.
+/// Builds the book, and lists all its faults if there are any.
 pub(crate) fn build_book(project: &Project, out: Option<PathBuf>, report: Option<Report>) -> anyhow::Result<Summary> {
     let out = out.unwrap_or_else(|| project.target().join("book"));
-    // Before the content, which takes long.
+    // Checked before gathering the content, which is slow.
     check_folder(&out)?;
     build(project.root(), &Options { out: Some(out) }, content(project, report)?).map_err(|error| {
         match error.downcast::<Faults>() {

@@ -1,15 +1,15 @@
-//! The seam: everything the book needs to know about the formulas, as plain data.
+//! The interface between the library and the book: everything the book needs to know about the formulas, as plain data.
 //!
-//! The book machinery never looks into the library. Whoever calls [`super::build`] fills these structs from the
-//! catalog, the last audit and the golden files; what is `None` or empty here is printed as "not run", never as proof.
+//! The book generator never accesses the library. The caller of [`super::build`] fills these structs from the catalog, the last
+//! audit and the golden files; anything `None` or empty is printed as "not run", never as proof.
 //!
-//! Fields called *text* hold plain words in which `$…$` is mathematics and `` `…` `` is code.
+//! Fields marked *text* contain plain text in which `$…$` is mathematics and `` `…` `` is code.
 
 use crate::extension::Exhibits;
 use crate::report::data::Report;
 use jointproof::toolkit::verify::Audit;
 
-/// What the book is made from, besides the chapters on disk.
+/// The content of the book, apart from the chapters on disk.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Content {
     /// Every catalog formula, in book order.
@@ -18,24 +18,24 @@ pub(crate) struct Content {
     pub(crate) sources: Vec<SourceFile>,
     /// Tests that run over the whole catalog.
     pub(crate) catalog_tests: Vec<TestRef>,
-    /// What the project shows beside its formulas.
+    /// The project's content in addition to its formulas.
     pub(crate) exhibits: Exhibits,
     /// The last report on speed and error.
     pub(crate) report: Option<Report>,
-    /// Whether it is about this very version of the code.
+    /// Whether the report is about this version of the code.
     pub(crate) is_current: bool,
-    /// Golden files to be copied beside the pages.
+    /// Golden files to be copied next to the pages.
     pub(crate) golden: Vec<GoldenFile>,
-    /// What entries are cited with.
+    /// The data for citing entries.
     pub(crate) cited: Option<Cited>,
 }
 
-/// What is cited.
+/// The data for citing entries.
 #[derive(Debug, Clone)]
 pub(crate) struct Cited {
     /// The name of the project.
     pub(crate) book: String,
-    /// Who wrote it.
+    /// The authors of the book.
     pub(crate) authors: String,
     /// Its version.
     pub(crate) version: String,
@@ -68,17 +68,17 @@ pub(crate) struct Entry {
     pub(crate) title: String,
     /// The equation, in LaTeX without dollar signs.
     pub(crate) latex: String,
-    /// Where the symbols come from that it does not define (text); may be empty.
+    /// The sources of symbols that the equation does not define (text); may be empty.
     pub(crate) given: String,
-    /// The equation with everything put in, one statement a line; empty where there is nothing to put in.
+    /// The equation with all definitions substituted, one statement per line; empty if there is nothing to substitute.
     pub(crate) closed: Vec<String>,
-    /// How its outputs change with its inputs, one statement a line.
+    /// The variation of its outputs, one statement per line.
     pub(crate) variation: Vec<String>,
-    /// The formulas whose outputs it takes.
+    /// The formulas whose outputs it uses.
     pub(crate) uses: Vec<String>,
-    /// The SHA-256 of its golden file, of which the first digits are enough.
+    /// The SHA-256 of its golden file.
     pub(crate) digest: Option<String>,
-    /// One golden case in numbers.
+    /// A worked example from a golden case.
     pub(crate) worked: Option<Worked>,
     /// Where the equation comes from.
     pub(crate) source: Source,
@@ -92,15 +92,15 @@ pub(crate) struct Entry {
     pub(crate) code: Vec<CodeSpan>,
     /// Tests that name the id.
     pub(crate) tests: Vec<TestRef>,
-    /// Golden cases by what they are for.
+    /// The number of golden cases by flag.
     pub(crate) golden: Option<GoldenCounts>,
-    /// What was executed on the formula.
+    /// The executed checks of the formula.
     pub(crate) evidence: Evidence,
-    /// What computes it on its page.
+    /// The calculator on its page.
     pub(crate) calculator: Calculator,
 }
 
-/// What computes a formula in its entry.
+/// The calculator in the entry of a formula.
 #[derive(Debug, Clone, Default)]
 pub(crate) enum Calculator {
     /// Nothing.
@@ -117,9 +117,9 @@ pub(crate) enum Calculator {
 pub(crate) struct Worked {
     /// The name of the case.
     pub(crate) case: String,
-    /// What goes in.
+    /// The inputs.
     pub(crate) inputs: Vec<String>,
-    /// What comes out.
+    /// The outputs.
     pub(crate) outputs: Vec<String>,
     /// Some of its derivatives.
     pub(crate) derivatives: Vec<String>,
@@ -134,7 +134,7 @@ pub(crate) struct Source {
     pub(crate) link: String,
     /// Place within the document (text); may be empty.
     pub(crate) place: String,
-    /// How much of the equation the document prints (text).
+    /// How completely the document prints the equation (text).
     pub(crate) provenance: String,
 }
 
@@ -151,7 +151,7 @@ pub(crate) struct Symbol {
     pub(crate) unit: String,
     /// Values allowed (text); empty means any finite number.
     pub(crate) allowed: String,
-    /// What it stands for (text).
+    /// Its meaning (text).
     pub(crate) meaning: String,
 }
 
@@ -160,11 +160,11 @@ pub(crate) struct Symbol {
 pub(crate) struct Kink {
     /// Where it is (text), for instance `$f_2 = f_3 = 0$`.
     pub(crate) at: String,
-    /// What jumps there (text), for instance `$\partial F_C/\partial f_2$`.
+    /// The derivative that jumps there (text), for instance `$\partial F_C/\partial f_2$`.
     pub(crate) derivative: String,
-    /// What it is on one side (text).
+    /// Its value on one side (text).
     pub(crate) left: String,
-    /// What it is on the other side (text).
+    /// Its value on the other side (text).
     pub(crate) right: String,
     /// The value returned, and by which convention (text).
     pub(crate) convention: String,
@@ -194,7 +194,7 @@ pub(crate) struct TestRef {
     pub(crate) line: usize,
 }
 
-/// How many golden cases carry which flag. A case may carry several.
+/// The number of golden cases with each flag. A case may have several flags.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct GoldenCounts {
     /// File name as in [`GoldenFile::name`].
@@ -205,10 +205,10 @@ pub(crate) struct GoldenCounts {
     pub(crate) flags: Vec<(String, usize)>,
 }
 
-/// What the last golden check and audit of this version of the code executed.
+/// The checks executed by the last golden check and audit of this version of the code.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Evidence {
-    /// Golden cases regenerated and found in the file, byte for byte.
+    /// Golden cases that were regenerated and equal the file, byte for byte.
     pub(crate) golden_cases: Option<usize>,
     /// The audit.
     pub(crate) audit: Option<Audit>,

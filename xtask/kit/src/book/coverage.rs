@@ -1,4 +1,4 @@
-//! Every formula of the catalog has its entry in the book, and has it once.
+//! Checks that every formula of the catalog has exactly one entry in the book.
 
 use super::fault::Fault;
 use super::markdown::{Found, Piece, scan};
@@ -21,7 +21,7 @@ pub(crate) struct Directive {
     pub(crate) line: usize,
 }
 
-/// What is wrong with the entries of the book at `root`, one line a fault.
+/// The faults in the entries of the book at `root`.
 ///
 /// # Errors
 /// If a chapter cannot be read.
@@ -29,7 +29,7 @@ pub fn uncovered(root: &Path, ids: &[&str]) -> anyhow::Result<Vec<Fault>> {
     Ok(faults(ids, &directives(root)?))
 }
 
-/// Every entry in the chapters on disk, by the names of the chapters.
+/// Every entry in the chapters on disk, ordered by the names of the chapters.
 pub(crate) fn directives(root: &Path) -> anyhow::Result<Vec<Directive>> {
     let mut directives = Vec::new();
     for (file, text) in chapters(root)? {
@@ -58,7 +58,7 @@ pub(crate) fn chapters(root: &Path) -> anyhow::Result<BTreeMap<String, String>> 
     Ok(chapters)
 }
 
-/// Directives that name no formula or one that has its entry already, and formulas without an entry.
+/// Directives that name no formula or a formula that already has an entry, and formulas without an entry.
 pub(crate) fn faults(ids: &[&str], directives: &[Directive]) -> Vec<Fault> {
     let mut first: BTreeMap<&str, &Directive> = BTreeMap::new();
     let mut faults = Vec::new();
@@ -82,7 +82,7 @@ pub(crate) fn faults(ids: &[&str], directives: &[Directive]) -> Vec<Fault> {
     faults
 }
 
-/// The id that begins or ends like `id`, for a hint.
+/// An id with a similar beginning or end, as a hint.
 fn nearest<'a>(ids: &[&'a str], id: &str) -> Option<&'a str> {
     let alike = |known: &str| {
         let front = known.chars().zip(id.chars()).take_while(|(a, b)| a == b).count();
@@ -125,7 +125,7 @@ mod tests {
         for (id, near) in [
             ("slot.frction", Some("slot.friction")),
             ("slider.rows", Some("slot.rows")),
-            // Five of nine letters are enough, four are not.
+            // Five matching letters of nine are enough, four are not.
             ("slot.", Some("slot.rows")),
             ("slot", None),
             ("coulomb.x", Some("coulomb.yield")),

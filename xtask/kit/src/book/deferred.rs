@@ -1,28 +1,29 @@
-//! HTML that is put into the pages after mdBook has rendered them.
+//! HTML that is inserted into the pages after mdBook has rendered them.
 //!
-//! mdBook parses and rewrites every piece of HTML it is given, and its search index takes in all the text. `MathML`, figures
-//! and code go around both: a chapter carries a numbered placeholder, and [`Deferred::fill`] replaces it in the finished
-//! page. A placeholder may hold words; those, and nothing else, are what search sees.
+//! mdBook parses and rewrites every piece of HTML it is given, and indexes all its text. `MathML`, figures and code
+//! bypass both: a chapter contains a numbered placeholder, which [`Deferred::fill`] replaces in the finished page. A
+//! placeholder may contain words; only these are indexed for search.
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 
 use super::html::escape_markdown;
 
-/// How a placeholder begins; its number and `">` follow.
+/// The beginning of a placeholder; its number and `">` follow.
 const OPEN: &str = "<span data-later=\"";
 
 /// The pieces of HTML of one build.
 #[derive(Debug, Default)]
 pub(crate) struct Deferred {
-    /// The pieces; a placeholder holds the index of its own.
+    /// The pieces; a placeholder contains the index of its piece.
     pieces: RefCell<Vec<String>>,
-    /// Where each formula has its entry, from the root of the book.
+    /// The address of each formula's entry, from the root of the book.
     pub(crate) places: RefCell<BTreeMap<String, String>>,
 }
 
 impl Deferred {
-    /// Keeps `html`, which may hold placeholders itself, for later and returns the placeholder, which is safe in Markdown and in HTML alike.
+    /// Keeps `html`, which may itself contain placeholders, for later and returns a placeholder that is safe in both
+    /// Markdown and HTML.
     pub(crate) fn keep(&self, html: &str, words_for_search: &str) -> String {
         let html = self.fill(html);
         let mut pieces = self.pieces.borrow_mut();

@@ -37,7 +37,7 @@ pub(crate) fn entry(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
     )
 }
 
-/// Where the symbols come from that the equation does not define.
+/// The sources of the symbols that the equation does not define.
 fn given(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
     match &*entry.given {
         "" => String::new(),
@@ -80,7 +80,7 @@ fn symbol_row(pages: &Pages<'_>, at: &Place, symbol: &Symbol) -> String {
     )
 }
 
-/// What it uses, where it is used, and where it is from.
+/// The formulas it uses, its users, and its source.
 fn facts(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
     let source = &entry.source;
     let place = if source.place.is_empty() { String::new() } else { format!(", {}", pages.text(at, &source.place)) };
@@ -90,7 +90,7 @@ fn facts(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
     uses + &fact("Source", &format!("{}{place}; {provenance}", document(pages, at, source)))
 }
 
-/// The folded evidence: what the project adds, kinks, golden cases, figures, laws and tests.
+/// The folded evidence: the project's own facts, kinks, golden cases, measurements, laws and tests.
 fn proof(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
     let mut out = String::new();
     for Fact { name, lines, .. } in pages.content.exhibits.facts.iter().filter(|fact| fact.formula == entry.id) {
@@ -108,7 +108,7 @@ fn proof(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
     )
 }
 
-/// The title of a document, as a link where it can be read.
+/// The title of a document, as a link if it has one.
 pub(crate) fn document(pages: &Pages<'_>, at: &Place, source: &Source) -> String {
     let title = pages.text(at, &source.title);
     match &*source.link {
@@ -122,7 +122,7 @@ fn fact(name: &str, html: &str) -> String {
     format!("<dt>{name}</dt><dd>{html}</dd>")
 }
 
-/// Where value or derivative jumps, and what is returned there; where nothing is registered, how it was looked for.
+/// The points where value or derivative jumps, and the convention there; if none is registered, how kinks were searched for.
 fn kinks(pages: &Pages<'_>, at: &Place, kinks: &[Kink], audit: Option<&Audit>) -> String {
     let looked = audit.filter(|audit| audit.kinks.held()).and_then(|audit| audit.looked.as_ref());
     if kinks.is_empty() {
@@ -147,7 +147,7 @@ fn kinks(pages: &Pages<'_>, at: &Place, kinks: &[Kink], audit: Option<&Audit>) -
     format!("<ul class=\"kinks\">{}</ul>", each(kinks, line))
 }
 
-/// How many golden cases there are of each kind, and the file.
+/// The number of golden cases of each kind, and the file.
 fn golden(at: &Place, golden: Option<&GoldenCounts>) -> String {
     let Some(golden) = golden else {
         return "no golden file".to_owned();
@@ -163,7 +163,7 @@ fn golden(at: &Place, golden: Option<&GoldenCounts>) -> String {
     )
 }
 
-/// What was executed, with the worst figures.
+/// The executed checks, with the largest deviations.
 fn evidence(ran: &Evidence) -> String {
     let mut chips = vec![match ran.golden_cases {
         Some(cases) => format!("<b>{cases}</b> golden cases regenerated, identical bytes"),
@@ -189,7 +189,7 @@ fn evidence(ran: &Evidence) -> String {
     format!("<ul class=\"chips\">{}</ul>", each(chips, |chip| format!("<li>{chip}</li>")))
 }
 
-/// The worst deviation from a claim, its bound, and whether it failed.
+/// The largest deviation of a claim, its bound, and whether it failed.
 pub(crate) fn worst(claim: &Claim) -> String {
     let bound = bound(claim);
     match (&claim.worst, claim.failures) {
@@ -199,12 +199,12 @@ pub(crate) fn worst(claim: &Claim) -> String {
     }
 }
 
-/// The bound of a claim, and how it is to be understood.
+/// The bound of a claim, and whether it is normwise.
 pub(crate) fn bound(claim: &Claim) -> String {
     number(claim.bound) + if claim.is_normwise() { " normwise" } else { "" }
 }
 
-/// The laws that were tried, with counts: its own, and how many of those that every formula has.
+/// The laws that were checked, with counts: its own, and the number of those common to all formulas.
 fn laws(pages: &Pages<'_>, at: &Place, audit: Option<&Audit>) -> String {
     let Some(audit) = audit else { return "not tested on this version".to_owned() };
     let law = |law: &Claim| {
@@ -224,10 +224,10 @@ fn laws(pages: &Pages<'_>, at: &Place, audit: Option<&Audit>) -> String {
     format!("<ul>{}{common}</ul>", each(own, law))
 }
 
-/// Where the page of evidence says what every formula has.
+/// The anchor on the page of evidence for what is common to all formulas.
 const COMMON: &str = "of-every-formula";
 
-/// Words as a link to what the page of evidence says about every formula, if there is such a page.
+/// A text that links to an anchor on the page of evidence, if there is such a page.
 fn everywhere(pages: &Pages<'_>, at: &Place, words: &str, anchor: &str) -> String {
     match &pages.evidence {
         Some(page) => format!("<a href=\"{}#{anchor}\">{words}</a>", escape(&relative(&at.page, page))),
@@ -235,7 +235,7 @@ fn everywhere(pages: &Pages<'_>, at: &Place, words: &str, anchor: &str) -> Strin
     }
 }
 
-/// The laws that every audited formula has, if there are several formulas.
+/// The laws common to all audited formulas, if there are several formulas.
 fn common_laws(content: &Content) -> Vec<&str> {
     let audits: Vec<_> = content.entries.iter().filter_map(|entry| entry.evidence.audit.as_ref()).collect();
     let has = |audit: &&Audit, claim: &str| audit.laws.iter().any(|law| law.claim == claim);
@@ -244,7 +244,7 @@ fn common_laws(content: &Content) -> Vec<&str> {
     claims.filter(|claim| audits.iter().all(|audit| has(audit, claim))).collect()
 }
 
-/// The laws and tests of every formula, for the page of evidence.
+/// The laws and tests common to all formulas, for the page of evidence.
 pub(crate) fn of_every(pages: &Pages<'_>, at: &Place) -> String {
     let laws = each(common_laws(pages.content), |law| format!("<li>{}</li>", escape(law)));
     let laws = if laws.is_empty() { laws } else { format!("<p>Laws of every formula:</p><ul>{laws}</ul>") };
@@ -274,7 +274,7 @@ fn code(pages: &Pages<'_>, at: &Place, span: &CodeSpan) -> String {
     )
 }
 
-/// The tests that name the formula, and how many run over all.
+/// The tests that name the formula, and the number of those that run over all formulas.
 fn tests(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
     let named = test_list(pages, at, &entry.tests, "names this formula", "name this formula");
     let over_all = match (pages.content.catalog_tests.len(), &pages.evidence) {
@@ -315,7 +315,7 @@ mod tests {
                 Entry { evidence: Evidence { audit: Some(audit), golden_cases: None }, ..Entry::default() }
             };
             let mut content = Content { entries: laws.iter().map(entry).collect(), ..Content::default() };
-            // One that was not audited is none that lacks a law.
+            // A formula that was not audited does not count as lacking a law.
             content.entries.push(Entry::default());
             common_laws(&content).into_iter().map(String::from).collect::<Vec<_>>()
         };

@@ -1,15 +1,15 @@
-//! Faults in the book, collected so that one build names them all.
+//! Faults in the book, collected so that one build reports all of them.
 
 use std::fmt;
 
-/// One thing that is wrong, and where.
+/// One fault, and its location.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Fault {
     /// The file, from the repository root or relative to `book/src`.
     pub file: String,
-    /// Line counted from 1; 0 where the whole file is meant.
+    /// Line counted from 1; 0 for the whole file.
     pub line: usize,
-    /// What is wrong, and what would mend it.
+    /// What is wrong, and how to fix it.
     pub message: String,
 }
 

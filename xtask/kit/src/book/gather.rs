@@ -1,4 +1,4 @@
-//! Fills the seam from the catalog, the sources, the golden files and what was executed.
+//! Gathers the content of the book from the catalog, the sources, the golden files and the executed checks.
 
 use super::calculator;
 use super::content::{
@@ -22,7 +22,7 @@ use mdbook_driver::config::Config;
 use rayon::prelude::*;
 use std::path::Path;
 
-/// What the book of a project is made from.
+/// The content of a project's book.
 pub(crate) fn content(project: &Project, report: Option<Report>) -> anyhow::Result<Content> {
     let mut sources = Vec::new();
     for folder in ["src", "tests"].map(|name| project.root().join(name)).iter().filter(|folder| folder.exists()) {
@@ -39,7 +39,7 @@ pub(crate) fn content(project: &Project, report: Option<Report>) -> anyhow::Resu
     let catalog_tests = index.tests_over_catalog();
     let mut golden = Vec::new();
     for formula in project.catalog() {
-        // A formula without its file is an off of `golden --check`; the entry says so.
+        // A missing golden file is reported by `golden --check`, and by the entry.
         if let Ok(bytes) = std::fs::read(project.golden_file(formula.spec().id)) {
             golden.push(GoldenFile { name: format!("{}.json", formula.spec().id), bytes });
         }
@@ -70,7 +70,7 @@ fn read_sources(project: &Project, path: &Path, sources: &mut Vec<SourceFile>) -
     Ok(())
 }
 
-/// The functions of a formula in the sources of its project; none where a macro defines it.
+/// The functions of a formula in the sources of its project; none if a macro defines it.
 pub(crate) fn functions(project: &Project, formula: &dyn AnyFormula) -> anyhow::Result<Vec<CodeSpan>> {
     let mut sources = Vec::new();
     for file in files(formula.path()) {
@@ -83,7 +83,7 @@ pub(crate) fn functions(project: &Project, formula: &dyn AnyFormula) -> anyhow::
     Ok(code(&Index::new(&sources), formula.path(), type_name))
 }
 
-/// What computes each formula on its page. To record what formulas do takes a while.
+/// The calculator of each formula. Recording the formulas takes a while.
 fn calculators(project: &Project) -> Vec<Calculator> {
     let of = |formula: &&'static dyn AnyFormula| {
         let golden = std::fs::read_to_string(project.golden_file(formula.spec().id)).ok();
@@ -98,7 +98,7 @@ fn entry(project: &Project, formula: &dyn AnyFormula, index: &Index<'_>, evidenc
     let text = std::fs::read_to_string(project.golden_file(spec.id)).ok();
     let golden = text.as_ref().and_then(|text| File::parse(text).ok());
     let checked = evidence.golden.get(spec.id);
-    // An equation that cannot be read is an off of the audit.
+    // An equation that cannot be read is reported by the audit.
     let view = View::of(&Signature { spec, inputs: formula.inputs(), outputs: formula.outputs() }).ok().flatten();
     Entry {
         id: spec.id.into(),
@@ -125,7 +125,7 @@ fn entry(project: &Project, formula: &dyn AnyFormula, index: &Index<'_>, evidenc
     }
 }
 
-/// What entries are cited with: the authors of the book, and the first version that the manifest names.
+/// The data for citing entries: the authors of the book, and the first version in the manifest.
 fn cited(project: &Project) -> Option<Cited> {
     let config = Config::from_disk(project.root().join("book/book.toml")).ok()?;
     let manifest = std::fs::read_to_string(project.root().join("Cargo.toml")).ok()?;
@@ -161,8 +161,9 @@ fn source(source: Source) -> content::Source {
     }
 }
 
-/// The functions of a formula, from the path of its type: `jointproof::connector::slot::friction::Friction` is in
-/// `src/connector/slot/friction.rs`, in the `mod.rs` of that folder, or, where there is no module between, in the crate's own file.
+/// The functions of a formula, located by the path of its type: `jointproof::connector::slot::friction::Friction` is
+/// in `src/connector/slot/friction.rs`, in the `mod.rs` of that folder, or, if there are no modules in the path, in
+/// the crate's root file.
 fn code(index: &Index<'_>, path: &str, type_name: &str) -> Vec<CodeSpan> {
     let spans = |file: &String| index.functions(&format!("src/{file}"), type_name, &["eval", "jacobian", "linearized"]);
     files(path).iter().map(spans).find(|spans| !spans.is_empty()).unwrap_or_default()
@@ -195,7 +196,7 @@ fn symbol(field: &Field) -> Symbol {
     }
 }
 
-/// The kink as the output and the input show it that jump there.
+/// The kink, described by the output and the input with the largest jump.
 fn kink(entry: &KinkEntry, [inputs, outputs]: [&[Field]; 2]) -> Kink {
     let convention = match entry.convention {
         Convention::Subgradient => "0 is returned, the subgradient of least norm",
@@ -218,7 +219,7 @@ fn kink(entry: &KinkEntry, [inputs, outputs]: [&[Field]; 2]) -> Kink {
     }
 }
 
-/// The symbol of the component at this place: `f_1`, or `(\mathbf{n})_2` for the second one of **n**.
+/// The symbol of the component at this index: `f_1`, or `(\mathbf{n})_2` for the second one of **n**.
 fn component(fields: &[Field], mut place: usize) -> String {
     for field in fields {
         if place < field.len() {
@@ -230,7 +231,7 @@ fn component(fields: &[Field], mut place: usize) -> String {
     unreachable!("a place is below the number of components")
 }
 
-/// To four decimals, without zeros that say nothing, with a true minus sign.
+/// Rounded to four decimals, without trailing zeros, with a true minus sign.
 fn four_digits(x: f64) -> String {
     if x.is_infinite() {
         return "unbounded".into();
@@ -267,7 +268,7 @@ mod tests {
         jointproof::catalog::find(id).unwrap_or_else(|| panic!("there is no {id}"))
     }
 
-    /// Each column is what the catalog says under this name, and not its neighbour.
+    /// Each column contains the field of the catalog with its name, not a neighbouring one.
     #[test]
     fn symbols_are_those_of_the_fields() {
         for formula in CATALOG {
@@ -351,7 +352,7 @@ mod tests {
         assert_eq!((given(&[]).as_str(), uses(&[]).len()), ("", 0));
     }
 
-    /// A golden check that found a difference, or none, is no evidence.
+    /// A golden check with a difference is no evidence, nor is a missing one.
     #[test]
     fn only_what_was_executed_and_the_same_is_evidence() {
         let project = Project::new("gather", env!("CARGO_MANIFEST_DIR"), CATALOG).in_folder("../..");

@@ -1,11 +1,11 @@
-//! What an entry shows before its evidence: a worked number, its derivative, what it uses and where it is used.
+//! The part of an entry before its evidence: a worked example, its derivative, what it uses and where it is used.
 
 use super::content::{Entry, Symbol, Worked};
 use super::html::{each, escape, relative};
 use super::pages::{Pages, Place};
 use crate::extension::Served;
 
-/// What search sees of an entry and shows of it: what it gives and takes, and its source.
+/// The searchable summary of an entry: its outputs, inputs and source.
 pub(crate) fn in_words(entry: &Entry) -> String {
     let listed = |symbols: &[Symbol]| {
         symbols.iter().map(|symbol| format!("{}, {}", symbol.name, symbol.meaning)).collect::<Vec<_>>().join("; ")
@@ -15,7 +15,7 @@ pub(crate) fn in_words(entry: &Entry) -> String {
     text.replace(['$', '`'], "")
 }
 
-/// A derivative of at most so many characters of LaTeX is open.
+/// The largest number of LaTeX characters of a derivative that is initially unfolded.
 const SHORT: usize = 420;
 
 /// `f2 = 3, f3 = 4: F_C = 5, ∂F_C/∂f2 = 0.6`, from a golden case.
@@ -32,7 +32,7 @@ pub(crate) fn worked(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
     )
 }
 
-/// An equation that is made from the one above and executed as that is; the derivative is open where it is short.
+/// An equation derived from the one above and executed like it; the variation is unfolded if it is short.
 pub(crate) fn view(pages: &Pages<'_>, at: &Place, name: &str, lines: &[String], may_be_open: bool) -> String {
     if lines.is_empty() {
         return String::new();
@@ -43,13 +43,13 @@ pub(crate) fn view(pages: &Pages<'_>, at: &Place, name: &str, lines: &[String], 
     format!("<details class=\"view\"{open}><summary>{name}</summary>{math}</details>")
 }
 
-/// The formulas whose outputs it takes.
+/// The formulas whose outputs it uses.
 pub(crate) fn uses(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
     let links: Vec<_> = entry.uses.iter().map(|id| pages.link(&at.page, id)).collect();
     links.join(", ")
 }
 
-/// The formulas that take its outputs, and the programs' outputs that it computes.
+/// The formulas that use its outputs, and the program outputs that it computes.
 pub(crate) fn used_by(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
     let entries = pages.content.entries.iter().filter(|other| other.uses.contains(&entry.id));
     let formulas: Vec<_> = entries.map(|other| pages.link(&at.page, &other.id)).collect();
@@ -73,7 +73,7 @@ pub(crate) fn used_by(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
     [formulas, vec![outputs]].concat().into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(", ")
 }
 
-/// Words with commas, and "and" before the last.
+/// Words separated by commas, with "and" before the last.
 fn with_and(words: &[String]) -> String {
     match words {
         [] => String::new(),
@@ -82,7 +82,7 @@ fn with_and(words: &[String]) -> String {
     }
 }
 
-/// How to cite it: in words and for BibTeX, with the address that never changes.
+/// How to cite it: in words and for BibTeX, with the permanent address.
 pub(crate) fn cite(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
     let Some(cited) = &pages.content.cited else { return String::new() };
     let (id, book) = (&entry.id, &cited.book);
@@ -106,7 +106,7 @@ pub(crate) fn cite(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
     )
 }
 
-/// What the folded evidence holds, in a line.
+/// A one-line summary of the folded evidence.
 pub(crate) fn summary(entry: &Entry) -> String {
     let count = |number: usize, one: &str, many: &str| match number {
         0 => format!("no {many}"),
@@ -155,7 +155,7 @@ mod tests {
         assert!(shown(&short, true).starts_with("<details class=\"view\" open><summary>V</summary>"));
         assert!(shown(&short, false).starts_with("<details class=\"view\"><summary>"));
         assert!(shown(&long, true).starts_with("<details class=\"view\"><summary>"));
-        // One sign of each line stands below those of the others.
+        // The equals signs are aligned, one per line.
         assert!(shown(&short, true).contains(r"\begin&#123;aligned} a &amp;= b = c \end&#123;aligned}"));
     }
 

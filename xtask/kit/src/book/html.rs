@@ -19,7 +19,7 @@ pub(crate) fn escape(text: &str) -> String {
     out
 }
 
-/// Escapes text so that neither Markdown nor HTML sees anything in it but characters.
+/// Escapes text so that neither Markdown nor HTML interprets anything in it.
 pub(crate) fn escape_markdown(text: &str) -> String {
     let mut out = String::new();
     for c in text.chars() {
@@ -67,7 +67,7 @@ pub(crate) fn row(cells: &[(&str, String)]) -> String {
     format!("<tr>{}</tr>", each(cells, cell))
 }
 
-/// A number as a reader likes it: `0.93`, `12`, or `3.1 × 10⁻⁷¹` with a real superscript.
+/// A number for readers: `0.93`, `12`, or `3.1 × 10⁻⁷¹` with a real superscript.
 pub(crate) fn number(value: f64) -> String {
     let size = value.abs();
     if value == 0.0 || !value.is_finite() {

@@ -1,4 +1,4 @@
-//! Follows every link inside the finished book, so that none leads nowhere.
+//! Checks every link inside the finished book.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -7,7 +7,7 @@ use anyhow::Result;
 
 use super::fault::Faults;
 
-/// One page: the anchors it offers and the links it has.
+/// One page: its anchors and its links.
 #[derive(Default)]
 struct Page {
     /// All `id`s.
@@ -16,7 +16,7 @@ struct Page {
     links: BTreeSet<String>,
 }
 
-/// Notes each local link that names no file, or no anchor of its page.
+/// Records each local link to a missing file, or to a missing anchor of a page.
 ///
 /// # Errors
 /// If a page cannot be read.
@@ -37,7 +37,7 @@ pub(crate) fn check(root: &Path, faults: &mut Faults) -> Result<()> {
     Ok(())
 }
 
-/// Why a link leads nowhere.
+/// Why a link is dead.
 fn dead(root: &Path, from: &Path, link: &str, pages: &BTreeMap<PathBuf, Page>) -> Option<String> {
     let (file, anchor) = link.split_once('#').unwrap_or((link, ""));
     let target = if file.is_empty() { from.to_path_buf() } else { normal(&from.parent().unwrap_or(root).join(file)) };
@@ -61,20 +61,20 @@ fn normal(path: &Path) -> PathBuf {
     out
 }
 
-/// Whether a link stays in the book.
+/// Whether a link stays within the book.
 fn is_local(link: &str) -> bool {
     let before_slash = link.split(['/', '#', '?']).next().unwrap_or("");
     !before_slash.contains(':') && !link.starts_with("//") && link != "#"
 }
 
-/// The values of an attribute in tags; scripts hold no `<a` or `id=` of ours.
+/// The values of an attribute in tags; scripts contain no `<a` or `id=` of ours.
 fn values(text: &str, attribute: &str) -> BTreeSet<String> {
     let pattern = format!(" {attribute}=\"");
     let value = |(at, _): (usize, &str)| text[at + pattern.len()..].split('"').next().map(|v| v.replace("&amp;", "&"));
     text.match_indices(&pattern).filter_map(value).collect()
 }
 
-/// All pages but the two whose links mdBook rewrites for another place.
+/// All pages except the two whose links mdBook rewrites for another location.
 fn html_files(folder: &Path) -> Result<Vec<PathBuf>> {
     let mut files = Vec::new();
     for entry in std::fs::read_dir(folder)? {
@@ -106,11 +106,11 @@ mod tests {
         let listing = "<b id=\"L1\"></b> <a href=\"../a.html#top\"></a> <a href=\"../../letter.txt\"></a> <a href=\"../c.css#x\"></a>";
         std::fs::write(folder.join("s/b.html"), listing).unwrap();
         std::fs::write(folder.join("c.css"), "").unwrap();
-        // What mdBook makes for another place, and what is no page.
+        // Pages that mdBook writes for another location, and a file that is no page.
         for name in ["print.html", "404.html", "d.txt"] {
             std::fs::write(folder.join(name), "<a href=\"gone.html\"></a>").unwrap();
         }
-        // What is outside is not of the book, though it is there.
+        // A file outside does not belong to the book, though it exists.
         std::fs::write(outer.path().join("letter.txt"), "").unwrap();
         let mut faults = Faults::default();
         check(&folder, &mut faults).unwrap();

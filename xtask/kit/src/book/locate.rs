@@ -1,4 +1,4 @@
-//! Finds in the sources what an entry points at: the functions of an `impl Formula for …`, and the tests that name an id.
+//! Finds the targets of an entry in the sources: the functions of an `impl Formula for …`, and the tests that name an id.
 
 use super::content::{CodeSpan, SourceFile, TestRef};
 use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
@@ -6,7 +6,7 @@ use std::collections::HashSet;
 use syn::spanned::Spanned;
 use syn::{ImplItem, Item, ItemImpl, Type};
 
-/// The sources, read once for many questions.
+/// The sources, parsed once for many queries.
 pub(crate) struct Index<'a> {
     sources: &'a [SourceFile],
     tests: Vec<Test<'a>>,
@@ -21,7 +21,7 @@ struct Test<'a> {
 }
 
 impl<'a> Index<'a> {
-    /// Reads the sources; one that is no Rust has no tests.
+    /// Parses the sources; one that is not valid Rust has no tests.
     pub(crate) fn new(sources: &'a [SourceFile]) -> Self {
         let mut tests = Vec::new();
         for source in sources {
@@ -32,10 +32,10 @@ impl<'a> Index<'a> {
         Self { sources, tests }
     }
 
-    /// Where the functions called `names` stand in `impl Formula for type_name` in `file`, with their doc comments and
-    /// attributes.
+    /// The location of the functions called `names` in `impl Formula for type_name` in `file`, with their doc comments
+    /// and attributes.
     ///
-    /// A name that is not there is left out; the caller decides whether that is a fault.
+    /// A missing name is omitted; the caller decides whether that is a fault.
     pub(crate) fn functions(&self, file: &str, type_name: &str, names: &[&str]) -> Vec<CodeSpan> {
         let source = self.sources.iter().find(|source| source.path == file);
         let parsed = source.and_then(|source| syn::parse_file(&source.text).ok());
@@ -54,8 +54,8 @@ impl<'a> Index<'a> {
         names.iter().filter_map(function).collect()
     }
 
-    /// Every test function that names the id of a formula, as a string, or its type in a file of its family (another
-    /// family may have a type of the same name).
+    /// Every test function that names the id of a formula as a string, or its type in a file of its family, since
+    /// another family may have a type of the same name.
     pub(crate) fn tests_naming(&self, id: &str, type_name: &str) -> Vec<TestRef> {
         let literal = format!("\"{id}\"");
         let family = id.split('.').next().unwrap_or(id);
@@ -77,7 +77,7 @@ impl<'a> Index<'a> {
     }
 }
 
-/// `impl … Formula for type_name`, in modules too.
+/// `impl … Formula for type_name`, also within modules.
 fn formula_impl<'s>(items: &'s [Item], type_name: &str) -> Option<&'s ItemImpl> {
     items.iter().find_map(|item| match item {
         Item::Impl(item) if is_formula_of(item, type_name) => Some(item),
@@ -92,7 +92,7 @@ fn is_formula_of(item: &ItemImpl, type_name: &str) -> bool {
     is_formula && matches!(&*item.self_ty, Type::Path(of) if last(&of.path, type_name))
 }
 
-/// The test functions, also in macros.
+/// The test functions, also within macros.
 fn collect_tests<'a>(stream: TokenStream, source: &'a SourceFile, tests: &mut Vec<Test<'a>>) {
     let trees: Vec<_> = stream.into_iter().collect();
     for (at, tree) in trees.iter().enumerate() {
@@ -116,7 +116,7 @@ fn collect_tests<'a>(stream: TokenStream, source: &'a SourceFile, tests: &mut Ve
     }
 }
 
-/// Whether an attribute of what stands behind these says that it is a test.
+/// Whether an attribute at the end of these tokens marks a test.
 fn is_test(before: &[TokenTree]) -> bool {
     let ends =
         |tree: &TokenTree| braces(tree).is_some() || matches!(tree, TokenTree::Punct(mark) if mark.as_char() == ';');
@@ -181,7 +181,7 @@ mod tests {
         };
         assert_eq!(lines("impl Formula for A { fn eval() {} }"), [(1, 1)]);
         assert_eq!(lines("impl Formula for A {\n fn eval() {\n"), []);
-        // The formula's own functions, in whatever order types are.
+        // The formula's own functions, in any order of types.
         let others = "impl Formula for B {\n fn eval() {}\n}\nimpl A {\n fn eval() {}\n}\n";
         assert_eq!(
             lines(&format!(

@@ -1,15 +1,15 @@
-//! Finds what has to be replaced in a chapter: mathematics, directives, and code spans that name a formula.
+//! Finds the pieces to be replaced in a chapter: mathematics, directives, and code spans that name a formula.
 //!
-//! The reading is left to pulldown-cmark, which mdBook uses as well, so that `$` and `{{#` inside code stay as they are.
+//! Parsing is left to pulldown-cmark, which mdBook uses as well, so that `$` and `{{#` inside code stay as they are.
 
 use std::ops::Range;
 
 use pulldown_cmark::{Event, Options, Parser, Tag, TagEnd};
 
-/// Directives that mdBook itself understands and that are left to it.
+/// Directives that mdBook itself handles.
 const MDBOOK_DIRECTIVES: &[&str] = &["include", "rustdoc_include", "playground", "playpen", "title"];
 
-/// Something to be replaced.
+/// A piece to be replaced.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) enum Piece {
     /// `$…$`
@@ -27,7 +27,7 @@ pub(crate) enum Piece {
     Code(String),
 }
 
-/// A piece and its place in the chapter.
+/// A piece and its location in the chapter.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Found {
     /// What it is.
@@ -38,7 +38,7 @@ pub(crate) struct Found {
     pub(crate) line: usize,
 }
 
-/// All pieces of a chapter in order, and what is wrong with it as (line, message).
+/// All pieces of a chapter in order, and its faults as (line, message).
 pub(crate) fn scan(chapter: &str) -> (Vec<Found>, Vec<(usize, String)>) {
     let mut scan = Scan { chapter, found: Vec::new(), faults: Vec::new(), opaque: Vec::new() };
     scan.events();
@@ -47,7 +47,7 @@ pub(crate) fn scan(chapter: &str) -> (Vec<Found>, Vec<(usize, String)>) {
     (scan.found, scan.faults)
 }
 
-/// The text of one line up to the braces that close two open ones.
+/// The text of one line up to the braces that close two opening ones.
 pub(crate) fn balanced(text: &str) -> Option<&str> {
     let mut open = 2;
     for (at, c) in text.char_indices() {
@@ -64,14 +64,14 @@ pub(crate) fn balanced(text: &str) -> Option<&str> {
     None
 }
 
-/// The code in a chapter.
+/// The code spans of a chapter.
 pub(crate) fn code(chapter: &str) -> Vec<Range<usize>> {
     let events = Parser::new_ext(chapter, options()).into_offset_iter();
     let is_code = |event: &Event<'_>| matches!(event, Event::Code(_) | Event::Start(Tag::CodeBlock(_)));
     events.filter(|(event, _)| is_code(event)).map(|(_, range)| range).collect()
 }
 
-/// Words and mathematics within lines, outside code, headings, links and directives without a caption.
+/// Text and mathematics within lines, outside code, headings, links and directives without a caption.
 pub(crate) fn texts(chapter: &str) -> Vec<Range<usize>> {
     let (mut all, mut not_prose) = (Vec::new(), 0_usize);
     for (event, range) in Parser::new_ext(chapter, options()).into_offset_iter() {
@@ -84,7 +84,7 @@ pub(crate) fn texts(chapter: &str) -> Vec<Range<usize>> {
             _ => {}
         }
     }
-    // Of directives, captions are prose.
+    // Captions of directives are prose.
     all.retain(|range| {
         let line = chapter[..range.start].rfind('\n').map_or(0, |at| at + 1);
         !chapter[line..].starts_with("{{#") || chapter[line..].starts_with("{{#figure")
@@ -104,20 +104,20 @@ fn options() -> Options {
         | Options::ENABLE_MATH
 }
 
-/// A scan under way.
+/// A scan in progress.
 struct Scan<'a> {
     /// The chapter.
     chapter: &'a str,
-    /// What was found so far.
+    /// The pieces found so far.
     found: Vec<Found>,
-    /// What is wrong so far.
+    /// The faults found so far.
     faults: Vec<(usize, String)>,
     /// Code and HTML, in which nothing is replaced.
     opaque: Vec<Range<usize>>,
 }
 
 impl Scan<'_> {
-    /// Mathematics and code, as the Markdown parser sees them.
+    /// Finds mathematics and code with the Markdown parser.
     fn events(&mut self) {
         let (mut in_code_block, mut no_links) = (false, 0_usize);
         for (event, range) in Parser::new_ext(self.chapter, options()).into_offset_iter() {
@@ -144,7 +144,7 @@ impl Scan<'_> {
         }
     }
 
-    /// A dollar sign left in the text is a formula that the parser could not close, or a price that was not escaped.
+    /// Reports a dollar sign left in the text: either a formula that the parser could not close, or a price that was not escaped.
     fn stray_dollar(&mut self, range: Range<usize>) {
         let start = range.start;
         for (offset, _) in self.chapter[range].match_indices('$') {
@@ -185,20 +185,20 @@ impl Scan<'_> {
         }
     }
 
-    /// Whether nothing else is on the lines of `range`.
+    /// Whether there is nothing else on the lines of `range`.
     fn alone(&self, range: &Range<usize>) -> bool {
         let before = self.chapter[..range.start].rsplit('\n').next().unwrap_or("");
         let after = self.chapter[range.end..].split('\n').next().unwrap_or("");
         before.is_empty() && after.trim().is_empty()
     }
 
-    /// Notes a piece.
+    /// Records a piece.
     fn push(&mut self, piece: Piece, range: Range<usize>) {
         let line = self.line(range.start);
         self.found.push(Found { piece, range, line });
     }
 
-    /// The line of a byte, from 1.
+    /// The line of a byte offset, from 1.
     fn line(&self, at: usize) -> usize {
         self.chapter[..at].matches('\n').count() + 1
     }
@@ -259,7 +259,7 @@ mod tests {
         assert_eq!(found.len(), 2, "mathematics in an argument belongs to the directive");
     }
 
-    /// The lines of what is wrong.
+    /// The lines of the faults.
     fn wrong(chapter: &str) -> Vec<usize> {
         scan(chapter).1.into_iter().map(|(line, _)| line).collect()
     }

@@ -1,24 +1,24 @@
-//! LaTeX to `MathML` at build time, so that the book needs neither network nor script to show mathematics.
+//! LaTeX to `MathML` at build time, so that the book needs neither network nor scripts to show mathematics.
 
 use math_core::{LatexToMathML, MathCoreConfig, MathDisplay};
 
 use super::html::escape;
 
-/// Why a formula could not be set: the reason, and the place in the formula.
+/// Why a formula could not be converted: the reason, and the position in the formula.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("cannot set the formula `{latex}`: {reason} (at character {at})")]
 pub(crate) struct MathError {
     /// The formula as written.
     pub(crate) latex: String,
-    /// What the converter says.
+    /// The message of the converter.
     pub(crate) reason: String,
     /// Character offset in the formula, from 1.
     pub(crate) at: usize,
 }
 
-/// The converter of one build.
+/// The LaTeX converter of one build.
 pub(crate) struct Math {
-    /// The LaTeX reader, without macros: a formula must read the same in golden files and in the book.
+    /// The LaTeX parser, without macros: a formula must read the same in golden files and in the book.
     converter: LatexToMathML,
 }
 
@@ -40,7 +40,7 @@ impl Math {
     /// A formula on its own line, in a box that scrolls when the page is narrower.
     ///
     /// # Errors
-    /// As [`Math::inline`].
+    /// As for [`Math::inline`].
     pub(crate) fn block(&self, latex: &str) -> Result<String, MathError> {
         let mathml = self.convert(latex, MathDisplay::Block)?;
         Ok(format!("<span class=\"math-block\" tabindex=\"0\">{mathml}</span>"))
@@ -59,10 +59,10 @@ impl Math {
     }
 }
 
-/// Letters that reach below the line, under which an index would stand lower than beside other letters.
+/// Letters with descenders, whose subscripts would be set lower than those of other letters.
 const BELOW: &str = "fgjpqyQβγζημξρφχψς";
 
-/// With the index of such a letter at the height of all others: the letter says that it has no depth.
+/// Sets the subscript of such a letter at the height of all others, by declaring that the letter has no depth.
 fn level(mathml: &str) -> String {
     let mut out = mathml.to_owned();
     for script in ["<msub>", "<msubsup>"] {
@@ -78,7 +78,7 @@ fn level(mathml: &str) -> String {
 mod tests {
     use super::*;
 
-    /// Whatever the formulary uses must be understood.
+    /// All commands used in formulas must be supported.
     const USED: &[&str] = &[
         r"F_C = \sqrt{f_2^2 + f_3^2}",
         r"\mathbf{e}_{1a}\cdot(\mathbf{x}_b-\mathbf{x}_a)",

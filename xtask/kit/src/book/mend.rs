@@ -1,28 +1,28 @@
-//! What mdBook's own pages lack for readers who use a keyboard or have a page read to them.
+//! Fixes accessibility defects of mdBook's own pages for keyboard and screen reader users.
 
-/// What is put in the place of what, in every page.
+/// Replacements applied to every page.
 const MENDED: [(&str, &str); 5] = [
-    // A label is no button: with the role, what it says of itself is allowed, and the keyboard reaches it.
+    // A label is no button: the role permits its ARIA attributes, and makes it reachable by keyboard.
     ("<label id=\"mdbook-sidebar-toggle\"", "<label id=\"mdbook-sidebar-toggle\" role=\"button\" tabindex=\"0\""),
-    // A placeholder is no name, and the header of the results has another identifier.
+    // A placeholder is no accessible name, and the header of the results has another identifier.
     (
         "aria-describedby=\"searchresults-header\"",
         "aria-label=\"Search this book\" aria-describedby=\"mdbook-searchresults-header\"",
     ),
-    // Code that scrolls is reached by the keyboard.
+    // Scrollable code must be reachable by keyboard.
     ("<pre><code", "<pre><code tabindex=\"0\""),
     ("<pre class=\"output\"><code", "<pre class=\"output\"><code tabindex=\"0\""),
     ("</body>", "<script>\n{page.js}</script>\n</body>"),
 ];
 
-/// What colours code of other languages, and what stands in for it where there is none: our own is coloured by the build.
+/// mdBook's script for highlighting other languages, and a stub in its place: our own code is highlighted by the build.
 const COLOURS: &str = "src=\"highlight.js\"></script>";
 const NO_COLOURS: &str = ">window.hljs = { configure() {}, highlightBlock() {}, highlightElement() {} };</script>";
 
-/// What every page does.
+/// The script of every page.
 const SCRIPT: &str = include_str!("page.js");
 
-/// Options of commands within the text are kept whole: a line would break at their hyphens.
+/// Prevents line breaks at the hyphens of command options in the text.
 fn with_whole_options(page: &str) -> String {
     let mut pieces = page.split("<code>");
     let mut out = pieces.next().unwrap_or_default().to_owned();
@@ -43,7 +43,7 @@ fn with_whole_options(page: &str) -> String {
     out
 }
 
-/// The page, mended.
+/// The page, fixed.
 pub(crate) fn mended(page: &str) -> String {
     let mut page = with_whole_options(page);
     for (from, to) in MENDED {
@@ -52,7 +52,7 @@ pub(crate) fn mended(page: &str) -> String {
     if !page.contains(" class=\"language-") {
         page = page.replace(COLOURS, NO_COLOURS);
     }
-    // The table of contents for readers without scripts.
+    // The table of contents for readers without scripts needs a title.
     if page.contains("<title>") { page } else { page.replace("<head>", "<head>\n<title>Contents</title>") }
 }
 

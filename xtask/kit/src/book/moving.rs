@@ -1,4 +1,4 @@
-//! Figures that are moved by sliders. Every position is drawn by the build; a script shows the one that the sliders are at.
+//! Animated figures. Every position of the sliders is drawn by the build; a script shows the current one.
 
 use serde_json::json;
 
@@ -8,10 +8,10 @@ use crate::extension::{Moving, Slider};
 /// The folder in the book.
 const FOLDER: &str = "figures";
 
-/// How the sliders of a figure begin.
+/// The beginning of a figure's sliders.
 const MARK: &str = "<div class=\"sliders\" data-figure=";
 
-/// What a page with sliders loads.
+/// The script of a page with sliders.
 const SCRIPT: &str = include_str!("moving.js");
 
 /// The sliders of a figure, hidden until the script shows them.
@@ -28,7 +28,7 @@ pub(crate) fn sliders(moving: &Moving) -> String {
     format!("{MARK}\"{}\" hidden>{}</div>", escape(&moving.name), each(&moving.sliders, slider))
 }
 
-/// What the head of a page with sliders needs.
+/// The additions to the head of a page with sliders.
 pub(crate) fn head(page: &str, to_root: &str) -> String {
     if page.contains(MARK) {
         format!("<script defer src=\"{to_root}{FOLDER}/moving.js\"></script>\n")
@@ -47,7 +47,7 @@ pub(crate) fn files(all: &[Moving]) -> Vec<(String, String)> {
     files
 }
 
-/// The positions: the lines of the drawing, and of each position those that differ somewhere.
+/// The positions: the lines of the drawing, and for each position the lines that vary.
 fn positions(moving: &Moving) -> String {
     let frames: Vec<Vec<&str>> = moving.frames.iter().map(|frame| frame.trim_end().split('\n').collect()).collect();
     let first = frames.first().map_or(&[] as &[&str], Vec::as_slice);

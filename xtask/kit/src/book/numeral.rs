@@ -1,4 +1,4 @@
-//! Numbers in chapters that say what they are: `{{3.7 = \sqrt{13.7}}}`.
+//! Numbers in chapters that state their origin: `{{3.7 = \sqrt{13.7}}}`.
 
 use super::markdown::{balanced, code, texts};
 use std::ops::Range;
@@ -6,24 +6,24 @@ use std::ops::Range;
 /// A number in a chapter.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Numeral {
-    /// As it is written.
+    /// The number as written.
     pub(crate) written: String,
     pub(crate) origin: Origin,
     pub(crate) line: usize,
 }
 
-/// Where a number is from.
+/// The origin of a number.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Origin {
-    /// `{{3.7 = expression; where}}`: the rounded value of an expression, and what that is about.
+    /// `{{3.7 = expression; where}}`: the rounded value of an expression, and what the expression is about.
     Value(String, String),
-    /// `{{3.7 in a_test}}`: it stands in a test that computes it, or in a constant.
+    /// `{{3.7 in a_test}}`: it appears in a test that computes it, or in a constant.
     Test(String),
-    /// `{{given 3.7}}`: the text itself sets it.
+    /// `{{given 3.7}}`: the text itself defines it.
     Given,
 }
 
-/// The chapter with every such number as it is written, and the numbers.
+/// The chapter with every such number replaced by its digits, and the numbers.
 pub(crate) fn shown(chapter: &str) -> (String, Vec<Numeral>) {
     let (mut out, mut all, mut done) = (String::new(), Vec::new(), 0);
     for (range, numeral) in found(chapter) {
@@ -34,7 +34,7 @@ pub(crate) fn shown(chapter: &str) -> (String, Vec<Numeral>) {
     (out + &chapter[done..], all)
 }
 
-/// Decimals and percentages that do not say where they are from.
+/// Decimals and percentages that do not state their origin.
 pub(crate) fn bare(chapter: &str) -> Vec<(usize, String)> {
     let mut blank = chapter.to_owned();
     for (range, _) in found(chapter) {
@@ -62,7 +62,7 @@ fn decimals(text: &str) -> impl Iterator<Item = (usize, &str)> {
     })
 }
 
-/// The numbers that say what they are, outside code.
+/// The numbers that state their origin, outside code.
 fn found(chapter: &str) -> Vec<(Range<usize>, Numeral)> {
     let opaque = code(chapter);
     let (mut all, mut from) = (Vec::new(), 0);
@@ -97,8 +97,8 @@ fn numeral(inside: &str, line: usize) -> Option<Numeral> {
     Some(of(written, Origin::Value(expression.trim().into(), about.trim().into())))
 }
 
-/// Whether a number, rounded to the places that are written, is what is written. Zeros at the end of a whole number
-/// need not be right.
+/// Whether a number, rounded to the written digits, is the written one. Trailing zeros of an integer need not be
+/// exact.
 pub(crate) fn is_rounded(written: &str, value: f64) -> bool {
     let plain: String = written.chars().filter(|c| !c.is_whitespace()).collect();
     let Ok(number) = plain.parse::<f64>() else { return false };
@@ -164,7 +164,7 @@ mod tests {
             ("1100", 1146.0, true),
             ("1200", 1146.0, false),
             ("23", 22.9, true),
-            // Either side of what lies halfway, though 0.3 − 0.25 is not quite 0.05.
+            // Either rounding of a midpoint, though 0.3 − 0.25 is not exactly 0.05.
             ("0.2", 0.25, true),
             ("0.3", 0.25, true),
             ("2.68", 2.675, true),

@@ -1,4 +1,4 @@
-//! What every renderer needs at hand: the content, the converter, where each entry stands, and the list of faults.
+//! The shared state of all renderers: the content, the converter, the location of each entry, and the list of faults.
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -9,7 +9,7 @@ use super::fault::Faults;
 use super::html::{escape, relative, text_of};
 use super::math::{Math, MathError};
 
-/// A place in the book: a chapter, a line in it, and the page it becomes.
+/// A location in the book: a chapter, a line in it, and the resulting page.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Place {
     /// The Markdown file, for fault messages.
@@ -26,24 +26,24 @@ pub(crate) struct Pages<'a> {
     pub(crate) content: &'a Content,
     /// The LaTeX converter.
     pub(crate) math: Math,
-    /// HTML to be put in after rendering.
+    /// HTML to be inserted after rendering.
     pub(crate) later: &'a Deferred,
-    /// Where each formula has its entry.
+    /// The location of each formula's entry.
     pub(crate) places: BTreeMap<String, Place>,
     /// The page with the evidence of all formulas.
     pub(crate) evidence: Option<String>,
-    /// What is wrong so far.
+    /// The faults so far.
     pub(crate) faults: RefCell<Faults>,
 }
 
 impl<'a> Pages<'a> {
-    /// No entry placed and nothing wrong yet.
+    /// Without entry locations and faults.
     pub(crate) fn new(content: &'a Content, later: &'a Deferred) -> Self {
         let (places, faults) = (BTreeMap::new(), RefCell::default());
         Self { content, math: Math::new(), later, places, evidence: None, faults }
     }
 
-    /// Notes a fault.
+    /// Records a fault.
     pub(crate) fn fault(&self, at: &Place, message: impl Into<String>) {
         self.faults.borrow_mut().push(&at.file, at.line, message);
     }
@@ -63,24 +63,24 @@ impl<'a> Pages<'a> {
         }
     }
 
-    /// A formula within a line, whose bare letters search can see; a fault if it cannot be set.
+    /// A formula within a line, with its bare letters for search; a fault if it cannot be converted.
     pub(crate) fn inline_math(&self, at: &Place, latex: &str) -> String {
         let mathml = self.or_fault(at, self.math.inline(latex));
         let words = text_of(&mathml);
         self.later.keep(&mathml, &words)
     }
 
-    /// A formula on its own line; a fault if it cannot be set.
+    /// A formula on its own line; a fault if it cannot be converted.
     pub(crate) fn block_math(&self, at: &Place, latex: &str) -> String {
         self.later.keep(&self.or_fault(at, self.math.block(latex)), "")
     }
 
-    /// *Text* as HTML: `$…$` is mathematics, `` `…` `` is code, `[…](…)` is a link, everything else is words.
+    /// *Text* as HTML: `$…$` is mathematics, `` `…` `` is code, `[…](…)` is a link, everything else is plain text.
     pub(crate) fn text(&self, at: &Place, text: &str) -> String {
         self.text_with(at, text, |code| format!("<code>{}</code>", escape(code)))
     }
 
-    /// As [`Pages::text`], with a link where code names a formula.
+    /// Like [`Pages::text`], with links from code that names a formula.
     pub(crate) fn linked_text(&self, at: &Place, text: &str) -> String {
         self.text_with(at, text, |code| self.link(&at.page, code))
     }
@@ -119,7 +119,7 @@ impl<'a> Pages<'a> {
         out + &escape(rest)
     }
 
-    /// The HTML, or nothing and a fault.
+    /// The HTML, or an empty text and a fault.
     fn or_fault(&self, at: &Place, result: Result<String, MathError>) -> String {
         result.unwrap_or_else(|error| {
             self.fault(at, error.to_string());
@@ -137,7 +137,7 @@ struct Link<'t> {
 }
 
 impl<'t> Link<'t> {
-    /// The first one.
+    /// The first link.
     fn first(text: &'t str) -> Option<Self> {
         let (head, tail) = text.split_once("](")?;
         let (before, words) = head.rsplit_once('[')?;

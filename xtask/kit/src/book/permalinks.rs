@@ -1,6 +1,6 @@
-//! Addresses that never change: a page for each formula that leads to its entry, wherever that stands.
+//! Permanent addresses: a page for each formula that redirects to its entry, wherever that is.
 //!
-//! The list `book/permalinks.txt` only grows. A formula that is renamed keeps its old line, with the new name behind it.
+//! The list `book/permalinks.txt` only grows. A renamed formula keeps its old line, with the new name appended.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -12,7 +12,7 @@ use super::fault::Faults;
 use super::html::escape;
 use super::output::write;
 
-/// Where all addresses stand that were ever given out.
+/// The list of all addresses ever published.
 pub(crate) const LIST: &str = "book/permalinks.txt";
 
 /// The address of a formula, from the root of the book.
@@ -20,7 +20,7 @@ pub(crate) fn page(id: &str) -> String {
     format!("id/{id}.html")
 }
 
-/// Writes the pages: of every formula that has its entry at a place, and of every name in the list.
+/// Writes the pages for all entries and for all names in the list.
 ///
 /// # Errors
 /// If a page cannot be written.
@@ -38,7 +38,7 @@ pub(crate) fn write_all(root: &Path, out: &Path, places: &BTreeMap<String, Strin
     Ok(())
 }
 
-/// Every name with the place of its entry; what the list has and nothing stands behind is a fault, and what it has not.
+/// Every name with the location of its entry; a listed name without an entry is a fault, and so is an unlisted one.
 fn resolved<'a>(
     list: Option<&str>,
     places: &'a BTreeMap<String, String>,

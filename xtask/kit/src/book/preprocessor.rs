@@ -20,7 +20,7 @@ use super::{entry, figure, numeral, speed, tables};
 pub(crate) struct Formulary {
     /// The formulas and files.
     pub(crate) content: Rc<Content>,
-    /// Where the HTML goes that is put in after rendering.
+    /// Collects the HTML to be inserted after rendering.
     pub(crate) later: Rc<Deferred>,
     /// The folder of the figures.
     pub(crate) figures: PathBuf,
@@ -75,7 +75,7 @@ impl Formulary {
         out + &chapter.content[done..]
     }
 
-    /// What stands in the place of a piece; `None` leaves it as it is.
+    /// The replacement of a piece; `None` leaves it as it is.
     fn replacement(&self, pages: &Pages<'_>, at: &Place, piece: &Piece, mark: Option<&Mark>) -> Option<String> {
         match piece {
             Piece::InlineMath(latex) => Some(pages.inline_math(at, latex)),
@@ -87,13 +87,13 @@ impl Formulary {
         }
     }
 
-    /// What a directive stands for; a fault if there is no such directive.
+    /// The replacement of a directive; a fault if there is no such directive.
     fn directive(&self, pages: &Pages<'_>, at: &Place, name: &str, argument: &str) -> String {
         match (name, argument) {
             ("formula", id) => pages.entry(id).map(|formula| entry::entry(pages, at, formula)).unwrap_or_default(),
             ("figure", argument) => figure::figure(pages, at, &self.figures, argument),
             ("output", name) => Self::output(pages, at, name),
-            // It speaks of the display behind it.
+            // It annotates the display that follows.
             ("equation" | "presentation", _) => String::new(),
             ("text", name) => no_text(pages, at, name),
             ("symbols", "") => tables::symbols(pages, at),
@@ -106,7 +106,7 @@ impl Formulary {
         }
     }
 
-    /// `{{#output name}}`: what a program printed for this build.
+    /// `{{#output name}}`: the output of a program for this build.
     fn output(pages: &Pages<'_>, at: &Place, name: &str) -> String {
         let Some((_, text)) = pages.content.exhibits.outputs.iter().find(|(known, _)| known == name) else {
             let known: Vec<_> = pages.content.exhibits.outputs.iter().map(|(name, _)| name.as_str()).collect();
@@ -117,7 +117,7 @@ impl Formulary {
     }
 }
 
-/// The chapter with `{{#text name}}` replaced by the Markdown of this name, which is then read as if it stood there.
+/// The chapter with `{{#text name}}` replaced by the Markdown with this name, which is then treated as part of it.
 fn with_texts(content: &Content, chapter: &str) -> String {
     let mut out = String::new();
     let mut done = 0;
@@ -133,7 +133,7 @@ fn with_texts(content: &Content, chapter: &str) -> String {
     out + &chapter[done..]
 }
 
-/// How a display is held, below it.
+/// The note below a display that says how it is checked.
 fn note_of(pages: &Pages<'_>, at: &Place, mark: &Mark) -> String {
     let text = match mark {
         Mark::Presentation(why) => format!("Not executed: {why}."),
@@ -148,14 +148,14 @@ fn note_of(pages: &Pages<'_>, at: &Place, mark: &Mark) -> String {
     format!("<span class=\"held\">{}</span>", pages.linked_text(at, &text))
 }
 
-/// Nothing, and a fault: a text of a known name was put in before.
+/// An empty text, and a fault: texts with known names were inserted before.
 fn no_text(pages: &Pages<'_>, at: &Place, name: &str) -> String {
     let known: Vec<_> = pages.content.exhibits.texts.iter().map(|(name, _)| name.as_str()).collect();
     pages.fault(at, format!("no text `{name}`; there are: {}", known.join(", ")));
     String::new()
 }
 
-/// Nothing, and a fault.
+/// An empty text, and a fault.
 fn unknown(pages: &Pages<'_>, at: &Place, name: &str, argument: &str) -> String {
     let known = format!(
         "formula ID, equation ID, presentation WHY, figure NAME, output NAME, table NAME, text NAME, symbols, kinks, evidence, sources, {}",
@@ -166,12 +166,12 @@ fn unknown(pages: &Pages<'_>, at: &Place, name: &str, argument: &str) -> String 
     String::new()
 }
 
-/// Whether the evidence of all formulas stands here.
+/// Whether this is the directive for the evidence of all formulas.
 fn is_evidence(found: &Found) -> bool {
     matches!(&found.piece, Piece::Directive { name, .. } if name == "evidence")
 }
 
-/// A line of a chapter.
+/// The location of a line in a chapter.
 fn place(chapter: &Chapter, line: usize) -> Place {
     Place { file: format!("book/src/{}", slashed(chapter.source_path.as_deref())), line, page: page(chapter) }
 }
@@ -186,7 +186,7 @@ fn slashed(path: Option<&Path>) -> String {
     path.unwrap_or(Path::new("")).to_string_lossy().replace('\\', "/")
 }
 
-/// Finds the pieces of a chapter, and notes where formulas have their entries.
+/// Finds the pieces of a chapter, and records the locations of entries.
 fn read(chapter: &Chapter, pages: &Pages<'_>, entries: &mut Vec<(Directive, Place)>) -> Vec<Found> {
     let (found, faults) = scan(&chapter.content);
     for (line, message) in faults {
@@ -203,7 +203,7 @@ fn read(chapter: &Chapter, pages: &Pages<'_>, entries: &mut Vec<(Directive, Plac
     found
 }
 
-/// Keeps the place of each formula's first entry; what [`coverage`] finds is a fault.
+/// Keeps the location of each formula's first entry; records the faults found by [`coverage`].
 fn note(entries: Vec<(Directive, Place)>, pages: &mut Pages<'_>) {
     let ids: Vec<&str> = pages.content.entries.iter().map(|entry| entry.id.as_str()).collect();
     let (directives, places): (Vec<_>, Vec<_>) = entries.into_iter().unzip();

@@ -1,4 +1,4 @@
-//! Mathematics in chapters: what is claimed of a formula, what is presentation only, and numbers with what they are.
+//! Mathematics in chapters: claims about a formula, mathematics for presentation only, and numbers with their origins.
 
 use super::fault::Fault;
 use super::markdown::{Found, Piece, scan};
@@ -6,12 +6,12 @@ use super::numeral::{self, Numeral};
 use jointproof::catalog::AnyFormula;
 use jointproof::toolkit::equation::{Setting, Signature};
 
-/// What is said before a display about how it is held.
+/// The mark before a display that says how it is checked.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Mark {
     /// `{{#equation slot.friction; if f_1 > 0}}`: it is executed.
     Executed(String),
-    /// `{{#presentation why}}`: it is not, and why.
+    /// `{{#presentation why}}`: it is not executed, for this reason.
     Presentation(String),
 }
 
@@ -23,7 +23,7 @@ pub(crate) struct Display {
     pub(crate) mark: Option<Mark>,
 }
 
-/// The mark that a directive makes.
+/// The mark for a directive, if it is one.
 pub(crate) fn mark(piece: &Piece) -> Option<Mark> {
     let Piece::Directive { name, argument } = piece else { return None };
     match name.as_str() {
@@ -33,14 +33,14 @@ pub(crate) fn mark(piece: &Piece) -> Option<Mark> {
     }
 }
 
-/// A chapter as it is checked.
+/// A chapter in the form in which it is checked.
 pub(crate) struct Chapter {
     pub(crate) numerals: Vec<Numeral>,
     pub(crate) displays: Vec<Display>,
     pub(crate) faults: Vec<Fault>,
 }
 
-/// Reads a chapter; what is unmarked in it is a fault.
+/// Reads a chapter; unmarked displays and numbers are faults.
 pub(crate) fn read(file: &str, text: &str) -> Chapter {
     let (shown, numerals) = numeral::shown(text);
     let fault = |line, message: &str| Fault { file: file.into(), line, message: message.into() };
@@ -75,7 +75,7 @@ pub(crate) fn read(file: &str, text: &str) -> Chapter {
     Chapter { numerals, displays, faults }
 }
 
-/// The formula that a display is about, and how it is to be read.
+/// The formula that a display is about, and the setting in which it is read.
 pub(crate) type About = (Option<&'static dyn AnyFormula>, Setting);
 
 /// Formulas by their identifiers.
@@ -87,8 +87,8 @@ impl Formulas<'_> {
         found.ok_or_else(|| format!("no formula `{id}` in the catalog"))
     }
 
-    /// What an argument says: `ID; let …; if …; put …; free …; from ID …; triads`, in any order.
-    /// `above` goes on with the setting of the display before.
+    /// Parses an argument: `ID; let …; if …; put …; free …; from ID …; triads`, in any order. `above` continues the
+    /// setting of the previous display.
     pub(crate) fn setting(&self, argument: &str, above: Option<&(About, String)>) -> Result<About, String> {
         let (mut of, mut setting) = (None, Setting::default());
         let mut definitions = Vec::new();

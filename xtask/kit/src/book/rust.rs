@@ -1,15 +1,15 @@
-//! Rust code in colours, without a script.
+//! Highlighted Rust code, without a script.
 
 use super::html::escape;
 use proc_macro2::{Group, Ident, TokenStream, TokenTree};
 use std::ops::Range;
 
-/// The class that colours a token, if it has one, and its bytes.
+/// The class that colours a token, if any, and its byte range.
 type Token = (Option<&'static str>, Range<usize>);
 
-/// Every line of `text` as HTML; what goes over several lines is closed and opened again at each.
+/// Every line of `text` as HTML; tokens that span several lines are closed and reopened on each.
 ///
-/// What is no Rust has no colours.
+/// Invalid Rust is not coloured.
 pub(crate) fn highlight(text: &str) -> Vec<String> {
     let mut tokens = Vec::new();
     match text.parse() {
@@ -29,7 +29,7 @@ pub(crate) fn highlight(text: &str) -> Vec<String> {
     lines.0
 }
 
-/// The tokens in order, but for comments of documentation, which are attributes to the compiler.
+/// The tokens in order, except doc comments, which are attributes to the compiler.
 fn collect(stream: TokenStream, text: &str, tokens: &mut Vec<Token>) {
     let mut quote = None;
     for tree in stream {
@@ -39,7 +39,7 @@ fn collect(stream: TokenStream, text: &str, tokens: &mut Vec<Token>) {
         }
         match tree {
             TokenTree::Group(group) => collect_group(&group, text, tokens),
-            // Of a lifetime, which is two tokens.
+            // The quote of a lifetime, which consists of two tokens.
             TokenTree::Punct(mark) if mark.as_char() == '\'' => quote = Some(range.start),
             TokenTree::Punct(_) => tokens.push((None, range)),
             TokenTree::Literal(_) => {
@@ -60,7 +60,7 @@ fn collect_group(group: &Group, text: &str, tokens: &mut Vec<Token>) {
     tokens.push((None, group.span_close().byte_range()));
 }
 
-/// The class that colours a word: a type, which begins with a capital, or a keyword, which is no name.
+/// The class that colours a word: a type, which begins with a capital, or a keyword.
 fn class(word: Ident) -> Option<&'static str> {
     if word.to_string().starts_with(char::is_uppercase) {
         return Some("rt");
@@ -87,7 +87,7 @@ impl Lines {
         }
     }
 
-    /// What stands between tokens: spaces and comments.
+    /// The text between tokens: spaces and comments.
     fn between(&mut self, text: &str) {
         for (i, line) in text.split('\n').enumerate() {
             let comment = line.trim();
@@ -100,7 +100,7 @@ impl Lines {
     }
 }
 
-/// Highlighted lines as a block, without the indentation they share.
+/// Highlighted lines as a block, without their common indentation.
 pub(crate) fn block(lines: &[String]) -> String {
     let indent = |line: &String| line.len() - line.trim_start().len();
     let shared = lines.iter().filter(|line| !line.trim().is_empty()).map(indent).min().unwrap_or(0);

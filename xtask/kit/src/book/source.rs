@@ -1,4 +1,4 @@
-//! Listing pages for Rust files: line anchors that work from `file://`, outside the search index and the print page.
+//! Listing pages for Rust files: line anchors that work from `file://`, excluded from the search index and the print page.
 
 use std::fmt::Write as _;
 
@@ -11,7 +11,7 @@ pub fn listing_page(path: &str) -> String {
     format!("source/{path}.html")
 }
 
-/// The whole listing page. It takes the theme chosen in the book.
+/// The whole listing page, in the theme chosen in the book.
 pub(crate) fn listing(source: &SourceFile, book_title: &str) -> String {
     let path = escape(&source.path);
     let root = "../".repeat(listing_page(&source.path).matches('/').count());

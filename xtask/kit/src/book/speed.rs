@@ -1,4 +1,4 @@
-//! Speed against error: what an entry shows of the last report, and the parts of the chapter.
+//! Speed and error: the part of an entry about the last report, and the parts of the chapter.
 
 use super::content::Entry;
 use super::html::{each, escape, number, row, table};
@@ -32,7 +32,7 @@ fn times(ratio: f64) -> String {
     format!("{} times as long", number(ratio))
 }
 
-/// A row a way.
+/// One row per method.
 fn ways(measurement: &Measurement) -> String {
     let head =
         ["Method", "Value", "With Jacobian", "Spread", "η of value", "hard", "η of Jacobian", "hard", "Relative"];
@@ -58,11 +58,11 @@ fn time(time: Option<Time>) -> String {
     time.map_or("–".into(), |time| duration(time.median))
 }
 
-/// The largest η, and at how many points there was no result.
+/// The largest η, and the number of points without a result.
 fn worst(errors: Option<&Errors>) -> String {
     match errors {
         None => "–".into(),
-        // Beyond 2⁵³ no digit is right; where the exact number is 0, anything else is without measure.
+        // Beyond 2⁵³ no digit is right; if the exact number is 0, any other result has an unbounded η.
         Some(Errors { not_finite: 0, eta, .. }) if eta.max > 1e18 => "no digit right".into(),
         Some(Errors { not_finite: 0, eta, .. }) => number(eta.max),
         Some(Errors { not_finite, points, .. }) if not_finite == points => "not finite".into(),
@@ -76,7 +76,7 @@ fn worst(errors: Option<&Errors>) -> String {
 pub(crate) const PARTS: &str =
     "speed about, speed verdict, speed overviews, speed table, speed differences and speed own";
 
-/// One part of the chapter, of all formulas or of a family; `None` if there is no such part.
+/// One part of the chapter, for all formulas or for a family; `None` if there is no such part.
 pub(crate) fn part(pages: &Pages<'_>, at: &Place, argument: &str) -> Option<String> {
     let (name, family) = argument.split_once(' ').unwrap_or((argument, ""));
     let part: fn(&Pages<'_>, &Place, &Report) -> String = match name {
@@ -95,7 +95,7 @@ pub(crate) fn part(pages: &Pages<'_>, at: &Place, argument: &str) -> Option<Stri
     })
 }
 
-/// When and where.
+/// When and where the report was made.
 fn about(report: &Report, is_current: bool) -> String {
     let Report { created, machine, build, options, .. } = report;
     let flags = match &*build.flags {
@@ -119,7 +119,7 @@ fn about(report: &Report, is_current: bool) -> String {
     )
 }
 
-/// Where the closed form is faster than automatic differentiation and at least as accurate, and where not.
+/// Whether the closed form is faster than automatic differentiation and at least as accurate, and the exceptions.
 fn verdict(pages: &Pages<'_>, at: &Place, report: &Report) -> String {
     let verdicts = report.formulas.iter().filter_map(|measurement| Some((measurement, Verdict::of(measurement)?)));
     let verdicts: Vec<_> = verdicts.collect();
@@ -166,7 +166,7 @@ fn overviews(pages: &Pages<'_>, report: &Report) -> String {
     })
 }
 
-/// A row a formula.
+/// One row per formula.
 fn overall(pages: &Pages<'_>, at: &Place, report: &Report) -> String {
     let head = [
         "Formula",
@@ -212,19 +212,19 @@ fn overall(pages: &Pages<'_>, at: &Place, report: &Report) -> String {
     table("speed", &head, &rows)
 }
 
-/// The time at the hardest ordinary point in units of that at random ones, and which point it is.
+/// The time at the hardest ordinary point relative to that at random ones, and the name of the point.
 fn hardest(measurement: &Measurement) -> String {
     price::hardest(measurement).map_or("–".into(), |(_, point)| {
         format!("<span title=\"{}\">× {}</span>", escape(&point.case), number(point.ratio.median))
     })
 }
 
-/// What differences reach at best, over all formulas.
+/// The best accuracy of differences, over all formulas.
 fn differences(report: &Report) -> String {
     let rows = each(Scheme::ALL, |scheme| {
         let best = |measurement: &Measurement| {
             let curve = measurement.curves.iter().find(|curve| curve.scheme == scheme)?;
-            // A formula linear in its inputs has no truncation error, and any step will do.
+            // For a formula linear in its inputs there is no truncation error, and any step is best.
             curve.best().filter(|(_, error)| *error > 0.0)
         };
         let best: Vec<_> = report.formulas.iter().filter_map(best).collect();
@@ -244,7 +244,7 @@ fn differences(report: &Report) -> String {
     table("speed", &["Scheme", "Best step", "Relative error there", "of the worst formula"], &rows)
 }
 
-/// The formulas that have other ways, naive ones or the document's, beside the closed form.
+/// The formulas with additional methods, naive ones or those of the document, compared with the closed form.
 fn own(pages: &Pages<'_>, at: &Place, report: &Report) -> String {
     const COMMON: [&str; 9] =
         ["closed", "checked", "single", "ad", "forward", "central", "fourth", "octuple", "octuple-ad"];

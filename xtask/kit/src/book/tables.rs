@@ -27,15 +27,15 @@ pub(crate) fn symbols(pages: &Pages<'_>, at: &Place) -> String {
             ("wide", links(pages, at, &users)),
         ])
     });
-    // Search has a line for each symbol, which leads here.
+    // Search has an entry for each symbol, which links here.
     let shown = table("index symbols", &["Symbol", "Name", "Meaning", "Shape", "Unit", "Used by"], &rows);
     pages.later.keep(&shown, "")
 }
 
-/// How the anchors of symbols begin.
+/// The prefix of the anchors of symbols.
 pub(crate) const SYMBOL: &str = "symbol-";
 
-/// A symbol as its name, letters, shape and unit tell it from others, and the formulas that use it.
+/// A symbol, identified by its name, letters, shape and unit, and the formulas that use it.
 pub(crate) struct SymbolRow<'a> {
     pub(crate) anchor: String,
     pub(crate) symbol: &'a Symbol,
@@ -94,7 +94,7 @@ const EVIDENCE: &[&str] = &[
     "Laws held",
 ];
 
-/// `{{#evidence}}`: what was executed on each formula.
+/// `{{#evidence}}`: the executed checks of each formula.
 pub(crate) fn evidence(pages: &Pages<'_>, at: &Place) -> String {
     let shown = table("evidence", EVIDENCE, &each(&pages.content.entries, |entry| evidence_row(pages, at, entry)));
     pages.later.keep(&(shown + &of_every(pages, at)), "")
@@ -129,7 +129,7 @@ fn evidence_row(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
     ])
 }
 
-/// The worst deviation and its bound, `0.9 ≤ 4`.
+/// The largest deviation and its bound, `0.9 ≤ 4`.
 fn bounded(claim: &Claim) -> String {
     match &claim.worst {
         Some(worst) if claim.held() => format!("<b>{}</b>\u{a0}≤\u{a0}{}", number(worst.size), bound(claim)),
@@ -137,7 +137,7 @@ fn bounded(claim: &Claim) -> String {
     }
 }
 
-/// On how many places that might be kinks points were found.
+/// The number of candidates for kinks on which points were found.
 fn crossed(audit: &Audit) -> String {
     match &audit.looked {
         Some(Looked::Graph { search, .. }) => {
@@ -147,7 +147,7 @@ fn crossed(audit: &Audit) -> String {
     }
 }
 
-/// The worst deviation where the bound is the same for every formula.
+/// The largest deviation, for a claim with the same bound for every formula.
 fn gap(claim: &Claim) -> String {
     claim.worst.as_ref().filter(|_| claim.held()).map_or_else(|| worst(claim), |worst| number(worst.size))
 }
@@ -165,7 +165,7 @@ pub(crate) fn sources(pages: &Pages<'_>, at: &Place) -> String {
     table("sources", &["Document", "Formulas"], &rows)
 }
 
-/// `{{#table name}}`: what the project shows under this name.
+/// `{{#table name}}`: the project's tables with this name.
 pub(crate) fn named(pages: &Pages<'_>, at: &Place, name: &str) -> String {
     let tables = &pages.content.exhibits.tables;
     let Some((_, named)) = tables.iter().find(|(known, _)| known == name) else {
@@ -175,13 +175,13 @@ pub(crate) fn named(pages: &Pages<'_>, at: &Place, name: &str) -> String {
     };
     each(named, |Table { anchor, title, head, rows }| {
         let head: Vec<_> = head.iter().map(String::as_str).collect();
-        // A text of several words may take the room; a name may not be broken.
+        // A text of several words may use the available width; a name must not be broken.
         let class = |text: &String| if text.contains(' ') { "wide" } else { "" };
         let cell = |text: &String| (class(text), pages.linked_text(at, text));
         let cells = |texts: &Vec<String>| row(&texts.iter().map(cell).collect::<Vec<_>>());
         let id = if anchor.is_empty() { String::new() } else { format!(" id=\"{}\"", escape(anchor)) };
         let title = if title.is_empty() { String::new() } else { format!("<p{id}>{}</p>", pages.text(at, title)) };
-        // Nothing is said about what there is not.
+        // Empty tables are omitted.
         let table = if rows.is_empty() { String::new() } else { table("index", &head, &each(rows, cells)) };
         title + &table
     })

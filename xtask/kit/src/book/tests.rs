@@ -1,4 +1,4 @@
-//! Whole small books: what they hold, what fails them, and what a failed build leaves behind.
+//! Complete small books: what they contain, what makes them fail, and what a failed build leaves behind.
 
 use std::fs;
 use std::path::Path;
@@ -52,7 +52,7 @@ fn book(root: &Path, chapter: &str) -> anyhow::Result<()> {
     book_of(root, chapter, content())
 }
 
-/// The same of other content.
+/// The same with other content.
 fn book_of(root: &Path, chapter: &str, content: Content) -> anyhow::Result<()> {
     let file = |path: &str, text: &str| write(&root.join("book").join(path), text.as_bytes()).unwrap();
     file("book.toml", "[book]\ntitle = \"T\"\n");
@@ -69,7 +69,7 @@ fn page(root: &Path) -> String {
     fs::read_to_string(root.join("target/book/one.html")).unwrap()
 }
 
-/// The faults of a book of one chapter.
+/// The faults of a book with one chapter.
 fn faults(chapter: &str) -> Vec<String> {
     let root = tempfile::tempdir().unwrap();
     let error = book(root.path(), chapter).unwrap_err();

@@ -1,4 +1,4 @@
-//! One worked number of a formula: a golden case that can be read at a glance.
+//! A worked example of a formula: a golden case that can be read at a glance.
 
 use jointproof::catalog::AnyFormula;
 use jointproof::formula::Field;
@@ -7,23 +7,23 @@ use jointproof::toolkit::verify::golden::{File, Record, components};
 
 use super::content::Worked;
 
-/// Digits that are shown of a number.
+/// Significant digits shown.
 const DIGITS: usize = 6;
 
-/// At most so many outputs are shown.
+/// The largest number of outputs shown.
 const OUTPUTS: usize = 4;
 
-/// At most so many derivatives are shown.
+/// The largest number of derivatives shown.
 const DERIVATIVES: usize = 2;
 
-/// Of so few inputs, each should say something.
+/// Up to this number of inputs, each should be informative.
 const FEW: usize = 5;
 
-/// Inputs of at most so many components are all shown; of more, those that are not 0.
+/// Up to this number of components, all inputs are shown; beyond, only those that are not 0.
 const ALL: usize = 9;
 
-/// A valid case, with derivatives where they are in closed form: if there is one, without an output of 0, worked by hand, and with few inputs of 0; of these
-/// the shortest.
+/// Selects a valid case, with derivatives if they are in closed form: preferably without an output of 0, worked by
+/// hand, and with few inputs of 0; among these the shortest.
 pub(crate) fn of(formula: &dyn AnyFormula, golden: &File) -> Option<Worked> {
     let [inputs, outputs] = [formula.inputs(), formula.outputs()];
     let shown = |case: &Record| {
@@ -47,7 +47,7 @@ pub(crate) fn of(formula: &dyn AnyFormula, golden: &File) -> Option<Worked> {
     golden.cases.iter().filter_map(shown).min_by_key(|(rank, _)| *rank).map(|(_, worked)| worked)
 }
 
-/// The inputs; where there are many, those that are not 0, and that the rest is.
+/// The inputs; if there are many, those that are not 0, with a remark that the rest is.
 fn given(fields: &[Field], point: &[f64]) -> Vec<String> {
     if point.len() <= ALL {
         return numbers(fields, point);
@@ -68,7 +68,7 @@ fn given(fields: &[Field], point: &[f64]) -> Vec<String> {
     shown
 }
 
-/// The first ones, and that there are more.
+/// The first ones, with a remark that there are more.
 fn first(mut texts: Vec<String>) -> Vec<String> {
     if texts.len() > OUTPUTS {
         texts.truncate(OUTPUTS);
@@ -87,7 +87,7 @@ fn numbers(fields: &[Field], components: &[f64]) -> Vec<String> {
         let (sign, numbers) = digits(part);
         match &*numbers {
             [one] => format!("${latex} {sign} {one}$"),
-            // Words, where a line may end.
+            // Plain text, in which lines may break.
             several => {
                 format!("${latex} {sign}$ ({})", several.iter().map(|text| plain(text)).collect::<Vec<_>>().join(", "))
             }
@@ -96,18 +96,18 @@ fn numbers(fields: &[Field], components: &[f64]) -> Vec<String> {
     fields.iter().map(one).collect()
 }
 
-/// The numbers in LaTeX, and whether they are equal to those: `=` and `3`, `\approx` and `0.333333`.
+/// The numbers in LaTeX, and whether they are exact: `=` and `3`, `\approx` and `0.333333`.
 fn digits(numbers: &[f64]) -> (&'static str, Vec<String>) {
     let (texts, shown): (Vec<_>, Vec<_>) = numbers.iter().map(|&x| short(x)).unzip();
     (if shown == numbers { "=" } else { r"\approx" }, texts)
 }
 
-/// A number in LaTeX as words, with mathematics only where it has an exponent.
+/// A number in LaTeX as plain text, with mathematics only if it has an exponent.
 fn plain(latex: &str) -> String {
     if latex.contains('^') { format!("${latex}$") } else { latex.replace('-', "−") }
 }
 
-/// A number in LaTeX with few digits, and the number that they are.
+/// A number in LaTeX with few digits, and the value of those digits.
 fn short(x: f64) -> (String, f64) {
     let text = format!("{x:.*e}", DIGITS - 1);
     let rounded: f64 = text.parse().unwrap_or(x);
@@ -121,7 +121,7 @@ fn short(x: f64) -> (String, f64) {
     (format!("{mantissa}10^{{{exponent}}}"), rounded)
 }
 
-/// The first derivatives that are not 0, of scalars alone.
+/// The first non-zero derivatives, for scalars only.
 fn derivatives(inputs: &[Field], outputs: &[Field], jacobian: &[f64]) -> Vec<String> {
     let [rows, columns] = [outputs, inputs].map(symbols);
     let entries = rows.iter().flat_map(|row| columns.iter().map(move |column| (row, column)));

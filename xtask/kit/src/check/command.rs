@@ -1,4 +1,4 @@
-//! `check`: a program of somebody else's, in any language, asked over a pipe and judged.
+//! `check`: calls someone else's program, in any language, through a pipe and judges it.
 
 use super::driver::abi::Abi;
 use super::driver::{self, Driver, Lang};
@@ -96,7 +96,7 @@ enum Format {
     Rdjson,
 }
 
-/// What can be wanted, by name.
+/// The results that can be requested, by name.
 fn wanted() -> impl TypedValueParser<Value = Wanted> {
     let told = |wanted: Wanted| {
         PossibleValue::new(wanted.name()).help(match wanted {
@@ -109,7 +109,7 @@ fn wanted() -> impl TypedValueParser<Value = Wanted> {
         .map(|name| Wanted::ALL.into_iter().find(|wanted| wanted.name() == name).unwrap_or_default())
 }
 
-/// A file, and a line of it if a number stands behind the last colon.
+/// A file, with a line if a number follows the last colon.
 #[expect(clippy::unnecessary_wraps, reason = "a parser of clap's")]
 fn at(text: &str) -> Result<Place, String> {
     let split = text.rsplit_once(':').and_then(|(file, line)| Some((file, line.parse().ok()?)));
@@ -118,7 +118,7 @@ fn at(text: &str) -> Result<Place, String> {
 }
 
 impl Arguments {
-    /// What is asked for, or what is exported of the formula: of an automatic Jacobian nothing is.
+    /// The requested results, or those exported for the formula: automatic Jacobians are not exported.
     fn wanted(&self, formula: &dyn AnyFormula) -> Wanted {
         let exported = if formula.spec().is_closed() { Wanted::Jacobian } else { Wanted::Value };
         self.wanted.unwrap_or(exported)
@@ -167,7 +167,7 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     Ok(verdict(judged.is_well()))
 }
 
-/// The result as it is asked for; where all is well there is no finding.
+/// The result in the requested format; if all is well there is no finding.
 fn written(arguments: &Arguments, text: &str, claim: &str, is_well: bool) -> anyhow::Result<String> {
     let Some(place) = arguments.at.clone().filter(|_| arguments.format != Format::Text) else {
         return Ok(text.to_owned());

@@ -6,7 +6,7 @@ use jointproof::toolkit::verify::golden::named;
 use judge::{Answer, Question, Wanted};
 use serde_json::{Value, json};
 
-/// What is said first: the formula, what is wanted, and the fields in order.
+/// The first line: the formula, the requested results, and the fields in order.
 pub(super) fn head(formula: &dyn AnyFormula, wanted: Wanted) -> String {
     let fields = |fields: &[Field]| -> Vec<Value> {
         let field = |field: &Field| json!({ "name": field.name, "shape": field.quantity.shape.dimensions() });

@@ -1,8 +1,8 @@
-//! What a program answers at a point, read from plain lines.
+//! Answers of a program at a point, parsed from plain lines.
 
 use judge::{Answer, Manners, Question};
 
-/// How numbers are written.
+/// The notation of numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Digits {
     Decimal,
@@ -18,7 +18,7 @@ impl Digits {
         numbers.join(" ")
     }
 
-    /// A number as it is asked with, which reads back to the same.
+    /// A number as written in questions, which reads back as the same number.
     pub(super) fn show(self, x: f64) -> String {
         match self {
             Self::Hex => format!("{:016X}", x.to_bits()),
@@ -31,7 +31,7 @@ impl Digits {
     }
 }
 
-/// Reads a line that has so many numbers.
+/// Parses a line that should contain `expected` numbers.
 pub(super) fn read(line: &str, expected: usize, digits: Digits, manners: &mut Manners) -> Answer {
     if let Some(numbers) = plain(line).filter(|numbers| digits == Digits::Decimal && numbers.len() == expected) {
         return Answer::Numbers(numbers);
@@ -56,7 +56,7 @@ pub(super) fn read(line: &str, expected: usize, digits: Digits, manners: &mut Ma
     Answer::Numbers(numbers)
 }
 
-/// Numbers with nothing but blanks between them, which nearly every line is: this is several times faster than all else.
+/// Parses numbers separated only by blanks, as in nearly every line: this is several times faster than the general case.
 fn plain(line: &str) -> Option<Vec<Option<f64>>> {
     let mut numbers = Vec::new();
     for token in line.split(' ') {
@@ -67,7 +67,7 @@ fn plain(line: &str) -> Option<Vec<Option<f64>>> {
     Some(numbers)
 }
 
-/// Whether a line refuses, and what it names.
+/// Whether a line is a rejection, and the input it names.
 #[expect(clippy::option_option, reason = "no refusal, and one that names nothing")]
 pub(super) fn refusal(line: &str) -> Option<Option<String>> {
     let mut words = line.split_whitespace();
@@ -76,18 +76,18 @@ pub(super) fn refusal(line: &str) -> Option<Option<String>> {
     matches!(first.as_str(), "refuse" | "refused" | "refuses").then(name).flatten()
 }
 
-/// The numbers of a line, whatever is between them.
+/// The tokens of a line, whatever separates them.
 pub(super) fn tokens(line: &str) -> impl Iterator<Item = &str> {
     let parts = line.split(|c: char| c.is_whitespace() || c == ';' || c == '\0');
     parts.map(|token| token.trim_end_matches(',')).filter(|token| !token.is_empty())
 }
 
-/// Whether a token can be read as a number.
+/// Whether a token can be parsed as a number.
 pub(super) fn is_number(token: &str, digits: Digits) -> bool {
     number(token, digits, &mut Manners::new()).is_some()
 }
 
-/// A number, in any spelling that leaves no doubt; `Some(None)` for one that is not computed.
+/// Parses a number in any unambiguous notation; `Some(None)` for one that is not computed.
 #[expect(clippy::option_option, reason = "no number, and a number that is not given")]
 fn number(token: &str, digits: Digits, seen: &mut Manners) -> Option<Option<f64>> {
     if matches!(token, "-" | "skip" | "skipped") {
@@ -118,7 +118,7 @@ fn number(token: &str, digits: Digits, seen: &mut Manners) -> Option<Option<f64>
     if let Ok(x) = text.parse() {
         return Some(Some(x));
     }
-    // Fortran leaves the letter out where the exponent has three digits.
+    // Fortran omits the letter if the exponent has three digits.
     let sign = text.rfind(['+', '-']).filter(|&at| at > 0)?;
     let (mantissa, exponent) = text.split_at(sign);
     let x = format!("{mantissa}e{exponent}").parse().ok()?;
@@ -126,7 +126,7 @@ fn number(token: &str, digits: Digits, seen: &mut Manners) -> Option<Option<f64>
     Some(Some(x))
 }
 
-/// NaN and infinities as C libraries and Fortran spell them, beside those that everybody knows.
+/// NaN and infinities as written by C libraries and Fortran, in addition to the common spellings.
 fn special(text: &str) -> Option<f64> {
     let (infinity, text) = text.strip_prefix('-').map_or((f64::INFINITY, text), |text| (f64::NEG_INFINITY, text));
     let text = text.trim_start_matches('+');

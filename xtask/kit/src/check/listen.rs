@@ -1,4 +1,4 @@
-//! Asking everything, and reading what is answered.
+//! Asks all questions, and reads the answers.
 
 use super::json;
 use super::line::{self, Digits};
@@ -8,7 +8,7 @@ use judge::{Answer, Heard, Manners, Question, Wanted, other_order, sizes};
 use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterator};
 use std::time::Duration;
 
-/// How a program is spoken to.
+/// How to communicate with a program.
 pub(super) struct Manner<'a> {
     pub(super) program: &'a [String],
     pub(super) wanted: Wanted,
@@ -17,13 +17,13 @@ pub(super) struct Manner<'a> {
     pub(super) limit: Duration,
 }
 
-/// What the program answers the first and the second time, or why it answers nothing.
+/// The answers of the program in both passes, or why there are none.
 pub(super) type Listened = Result<([Vec<Answer>; 2], Heard), String>;
 
-/// Asks everything twice, the second time in another order.
+/// Asks all questions twice, the second time in another order.
 ///
 /// # Errors
-/// That the program cannot be started.
+/// If the program cannot be started.
 pub(super) fn listen(
     formula: &dyn AnyFormula,
     manner: &Manner<'_>,

@@ -1,4 +1,5 @@
-//! `check`: a program of somebody else's, asked over a pipe; its answers are judged as those of a function that is called.
+//! `check`: someone else's program, called through a pipe; its answers are judged like those of a function that is
+//! called directly.
 
 mod command;
 mod driver;

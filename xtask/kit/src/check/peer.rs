@@ -1,4 +1,4 @@
-//! The program that is checked: it is asked line by line, over as many processes as it takes.
+//! The program to be checked: it is asked line by line, in as many processes as necessary.
 
 use super::line::{self, Digits};
 use super::process::{Next, Process};
@@ -7,74 +7,74 @@ use std::collections::BTreeSet;
 use std::process::ExitStatus;
 use std::time::Duration;
 
-/// After so many points at which it hangs or dies a program is not asked any more.
+/// After hanging or ending at this many points, a program is not asked any more.
 const MOST_FAULTS: usize = 8;
 
-/// The first line of a process may take so many times the limit: interpreters and libraries have to start.
+/// The factor on the time limit for the first line of a process: interpreters and libraries need time to start.
 const START: u32 = 4;
 
 /// A program to be asked.
 pub(super) struct Peer<'a> {
     pub(super) command: &'a [String],
     pub(super) limit: Duration,
-    /// What is said before the first question, and answered by a line.
+    /// The text sent before the first question, which is answered by a line.
     pub(super) head: Option<String>,
-    /// How many numbers an answer has.
+    /// The count of numbers in an answer.
     pub(super) numbers: usize,
     pub(super) digits: Digits,
 }
 
-/// What a program does with a question.
+/// A program's reaction to a question.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Reply {
     Line(String),
     /// No answer within the limit.
     Hangs,
-    /// It ended, and how.
+    /// It ended, in this way.
     Ends(String),
-    /// It was not asked any more, since it had hung or ended too often.
+    /// It was not asked, because it had hung or ended too often.
     NotAsked,
 }
 
-/// How a program prints, as two questions show.
+/// The layout of a program's output, determined from two questions.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 struct Layout {
     /// Lines before the first answer.
     banner: usize,
-    /// Whether an answer goes over several lines.
+    /// Whether an answer spans several lines.
     wraps: bool,
 }
 
-/// All replies, and what was noticed beside them.
+/// All replies, and additional observations.
 #[derive(Debug)]
 pub(super) struct Replies {
     pub(super) replies: Vec<Reply>,
     pub(super) noticed: BTreeSet<String>,
 }
 
-/// What a process answered before it ended or was ended.
+/// The answers of a process before it ended or was stopped.
 struct Session {
     answers: Vec<String>,
-    /// Lines behind the last answer.
+    /// Lines after the last answer.
     more: usize,
     end: End,
 }
 
 #[derive(Debug)]
 enum End {
-    /// It ended by itself, and how.
+    /// It ended by itself, in this way.
     Ended(String),
     /// It was silent for too long.
     Hung,
-    /// It answered all, and did not end.
+    /// It answered everything, but did not end.
     Lingered,
 }
 
 impl Peer<'_> {
-    /// Asks every question; the first two, which it should be able to answer, show how it prints.
+    /// Asks every question; the first two, which it should be able to answer, determine its layout.
     ///
     /// # Errors
-    /// That it cannot be started, or in what way it does not answer at all.
+    /// If it cannot be started. The inner error describes a program that does not answer at all.
     pub(super) fn ask(&self, questions: &[String]) -> anyhow::Result<Result<Replies, String>> {
         let mut noticed = BTreeSet::new();
         let layout = match self.look(&questions[..questions.len().min(2)], &mut noticed)? {
@@ -83,7 +83,7 @@ impl Peer<'_> {
         };
         let mut replies = vec![Reply::NotAsked; questions.len()];
         let (mut faults, mut is_blind) = (0, false);
-        // Ranges still to be asked, the next one last; whether one was asked alone because an answer was missing.
+        // Ranges still to be asked, the next one last, and whether a range was asked separately because an answer was missing.
         let mut left = vec![(0..questions.len(), false)];
         while let Some((range, is_suspect)) = left.pop() {
             if faults == MOST_FAULTS {
@@ -96,7 +96,7 @@ impl Peer<'_> {
                 *reply = Reply::Line(line);
             }
             if answered == range.end {
-                // What it had answered before was lost with it: its output is kept back.
+                // Its earlier answers were lost with it, because its output is buffered.
                 is_blind |= is_suspect;
                 notice(&mut noticed, session.more, &session.end);
                 continue;
@@ -121,7 +121,7 @@ impl Peer<'_> {
         Ok(Ok(Replies { replies, noticed }))
     }
 
-    /// Asks a few questions in a process of its own, whose input then ends, and looks at all that it prints.
+    /// Asks a few questions in a separate process, closes its input, and examines its whole output.
     fn look(&self, questions: &[String], noticed: &mut BTreeSet<String>) -> anyhow::Result<Result<Layout, String>> {
         let process = self.start(questions)?;
         let mut lines = Vec::new();
@@ -138,7 +138,7 @@ impl Peer<'_> {
         let (status, _) = process.finish(if silent { Duration::ZERO } else { self.limit })?;
         let with = |what: &str| if said.is_empty() { what.to_owned() } else { format!("{what}; it says:\n{said}") };
         if self.head.is_some() {
-            // JSON tells by itself what is wrong with it.
+            // For JSON, errors are diagnosed from the answers themselves.
             return Ok(if lines.is_empty() { Err(with("it prints nothing")) } else { Ok(Layout::default()) });
         }
         let is_answer = |line: &&String| {
@@ -216,7 +216,7 @@ impl Peer<'_> {
         Ok(Session { answers, more, end })
     }
 
-    /// The next answer, in one line.
+    /// The next answer, joined into one line.
     fn answer(&self, process: &Process, layout: Layout, limit: Duration) -> Next {
         let first = process.line(limit);
         let Next::Line(mut answer) = first else { return first };
@@ -260,12 +260,12 @@ mod tests {
     use super::*;
     use std::time::Instant;
 
-    /// So long no program takes that does what it should, however busy the machine is.
+    /// Longer than any working program takes, however busy the machine is.
     const PATIENT: Duration = Duration::from_mins(1);
-    /// So long one is waited for of which silence is expected, and answers too.
+    /// The time to wait for a program that is expected to be silent, but may also answer.
     const SHORT: Duration = Duration::from_secs(3);
 
-    /// A program of the shell, asked for two numbers at each of these points.
+    /// A shell program, asked for two numbers at each of these points.
     fn asked(script: &str, questions: usize) -> Result<Replies, String> {
         asked_within(PATIENT, script, questions)
     }
@@ -286,7 +286,7 @@ mod tests {
         let found = asked("while read x; do echo $x 2; done", 50).unwrap();
         assert_eq!(found.replies[49], Reply::Line("49 2".into()));
         assert!(lines(&found) == 50 && found.noticed.is_empty(), "{found:?}");
-        // What it says for itself, at its end, is no fault.
+        // A message at its normal end is no fault.
         let found = asked("while read x; do echo $x 2; done; echo bye >&2", 50).unwrap();
         assert!(lines(&found) == 50 && found.noticed.is_empty(), "{found:?}");
     }
@@ -332,7 +332,7 @@ mod tests {
 
     #[test]
     fn banners_and_wrapped_lines_are_understood() {
-        // A line that is half of numbers is none with an answer.
+        // A line in which only half of the tokens are numbers is not part of an answer.
         let found = asked("echo solver 2; while read x; do echo $x 2; done", 9).unwrap();
         assert!(lines(&found) == 9 && found.noticed.len() == 1, "{found:?}");
         let found = asked("echo hello world; while read x; do echo $x; echo 2; done", 9).unwrap();
@@ -403,7 +403,7 @@ mod tests {
             let running = std::process::Command::new("ps").args(["-eo", "args"]).output().unwrap();
             String::from_utf8_lossy(&running.stdout).contains(&format!("sleep {mark}"))
         };
-        // What is killed is gone when the system comes to it; what is left running goes on for ten minutes.
+        // A killed process disappears with some delay; one left running would go on for ten minutes.
         let end = Instant::now() + PATIENT;
         while is_running() {
             assert!(Instant::now() < end, "sleep {mark} is left running");

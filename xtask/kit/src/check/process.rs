@@ -1,4 +1,4 @@
-//! A process with pipes that is gone when it is dropped, with all that it has started.
+//! A process with pipes that is stopped when dropped, together with all processes it has started.
 
 use std::io::{self, BufRead, BufReader, Read, Write};
 use std::process::{Child, Command, ExitStatus, Stdio};
@@ -6,46 +6,46 @@ use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// No answer has so many bytes.
+/// The largest number of bytes in a line.
 const LONGEST: u64 = 1 << 20;
-/// So much of what is said on standard error is kept.
+/// The number of bytes of standard error that are kept.
 const KEPT: usize = 2000;
-/// How often it is looked whether a process has ended.
+/// The interval for polling whether a process has ended.
 const LOOK: Duration = Duration::from_millis(1);
-/// So long the last that it has said may take to come.
+/// The time limit for the rest of its standard error.
 const LAST: Duration = Duration::from_secs(3);
 
 /// A running program.
 pub(super) struct Process {
-    /// Until it has been waited for: then its number may be another's.
+    /// `None` once it has been waited for: its process ID may then be reused.
     child: Option<Child>,
     lines: Receiver<String>,
     said: Receiver<Vec<u8>>,
 }
 
-/// What comes of waiting for a line.
+/// The result of waiting for a line.
 #[derive(Debug, PartialEq)]
 pub(super) enum Next {
     Line(String),
     /// Nothing came in time.
     Silence,
-    /// There is no more.
+    /// There are no more lines.
     End,
 }
 
 impl Process {
-    /// Starts a program and writes a text to its standard input, which then ends.
+    /// Starts a program, writes a text to its standard input, and closes that.
     pub(super) fn start(command: &[String], input: String) -> io::Result<Self> {
         let (program, arguments) = command.split_first().ok_or(io::ErrorKind::InvalidInput)?;
         let mut command = Command::new(program);
         command.args(arguments).stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
-        // So that what it starts can be ended with it.
+        // A separate group, so that the processes it starts can be stopped with it.
         #[cfg(unix)]
         std::os::unix::process::CommandExt::process_group(&mut command, 0);
         let mut child = command.spawn()?;
         let (mut stdin, stdout, stderr) = (child.stdin.take(), child.stdout.take(), child.stderr.take());
         thread::spawn(move || {
-            // A program that has ended reads no more: what it has answered tells.
+            // A program that has ended does not read its input; its answers tell.
             let _ = stdin.as_mut().map(|stdin| stdin.write_all(input.as_bytes()));
         });
         let (line, lines) = mpsc::channel();
@@ -71,7 +71,7 @@ impl Process {
                 chunks.consume(length);
                 text.drain(..text.len().saturating_sub(KEPT));
             }
-            // Nobody may want to know.
+            // The receiver may be gone.
             let _ = all.send(text);
         });
         Ok(Self { child: Some(child), lines, said })
@@ -86,7 +86,8 @@ impl Process {
         }
     }
 
-    /// Waits until it ends by itself, or ends it; how it ended, and whether by itself. What it has started is ended, too.
+    /// Waits until it ends by itself, or stops it; returns its exit status, and whether it ended by itself. The
+    /// processes it has started are stopped, too.
     pub(super) fn finish(mut self, limit: Duration) -> io::Result<(ExitStatus, bool)> {
         let from = Instant::now();
         let mut child = self.child.take().expect("nobody else waits for it");
@@ -99,7 +100,7 @@ impl Process {
         Ok((child.wait()?, by_itself))
     }
 
-    /// The last that it has said on standard error; what has left its group and keeps that open is not waited for.
+    /// The end of its standard error; processes that have left its group but keep the stream open are not waited for.
     pub(super) fn last_words(&self) -> String {
         let said = self.said.recv_timeout(LAST).unwrap_or_default();
         String::from_utf8_lossy(&said).trim().to_owned()
@@ -110,20 +111,20 @@ impl Drop for Process {
     fn drop(&mut self) {
         if let Some(child) = &mut self.child {
             kill(child);
-            // It was killed: there is nothing else to be done about it.
+            // It was killed: nothing else can be done.
             let _ = child.wait();
         }
     }
 }
 
-/// The next line; of one that is too long the beginning, and then nothing more.
+/// The next line; if it is too long, its beginning, and then nothing more.
 fn line_of(stdout: &mut impl BufRead) -> Option<String> {
     let mut bytes = Vec::new();
     let read = stdout.by_ref().take(LONGEST).read_until(b'\n', &mut bytes).ok()?;
     (read > 0).then(|| String::from_utf8_lossy(&bytes).trim_end_matches(['\n', '\r']).to_owned())
 }
 
-/// Whether it has ended. Its number stays its own until it is waited for, so that nothing else is killed by it.
+/// Whether it has ended. Its process ID is not reused until it is waited for, so that no other process can be killed by mistake.
 #[cfg(unix)]
 fn has_ended(child: &mut Child) -> bool {
     use rustix::process::{Pid, WaitId, WaitIdOptions, waitid};
@@ -134,7 +135,7 @@ fn has_ended(child: &mut Child) -> bool {
 #[cfg(unix)]
 fn kill(child: &mut Child) {
     use rustix::process::{Pid, Signal, kill_process_group};
-    // Where the group is gone there is nothing to kill.
+    // If the group is gone there is nothing to kill.
     let _ = kill_process_group(Pid::from_child(child), Signal::KILL);
 }
 
@@ -145,7 +146,7 @@ fn has_ended(child: &mut Child) -> bool {
 
 #[cfg(not(unix))]
 fn kill(child: &mut Child) {
-    // Where it is gone there is nothing to kill.
+    // If it is gone there is nothing to kill.
     let _ = child.kill();
 }
 

@@ -13,7 +13,7 @@ use std::path::Path;
 pub(super) struct C;
 
 const RUNTIME: &str = include_str!("runtime/jp_runtime.h");
-/// Words of C, and what the functions themselves need.
+/// Reserved words of C, and names used in the functions themselves.
 const RESERVED: [&str; 7] = ["double", "int", "k", "jacobian", "const", "given", "found"];
 const FLAGS: [&str; 6] = ["-std=c99", "-O2", "-ffp-contract=off", "-Wall", "-Wextra", "-Wpedantic"];
 
@@ -108,7 +108,7 @@ fn kind(is_answer: bool) -> &'static str {
     if is_answer { "int" } else { "double" }
 }
 
-/// What functions are called.
+/// The names of functions.
 pub(super) struct Names {
     pub(super) unary: fn(Unary) -> &'static str,
     pub(super) angle: &'static str,
@@ -119,7 +119,7 @@ pub(super) struct Names {
     pub(super) equal: &'static str,
 }
 
-/// The names of C, which others share.
+/// The names of C, which other languages share.
 pub(super) const NAMES: Names = Names {
     unary: |function| match function {
         Unary::Negative => "-",
@@ -140,7 +140,7 @@ pub(super) const NAMES: Names = Names {
     equal: "==",
 };
 
-/// What languages write alike, but for names.
+/// Operations that languages write alike, apart from names.
 pub(super) fn common(op: &Op, operand: Operand, names: &Names) -> String {
     let call = |name: &str, operands: &[Node]| {
         let operands: Vec<_> = operands.iter().map(|&node| operand(node)).collect();
@@ -181,7 +181,7 @@ pub(super) fn exact_sum(products: &[[Node; 4]], operand: Operand, [head, open, c
     format!("{head}\n{}\n{end}", rows.join(",\n"))
 }
 
-/// A negative number in parentheses, lest two signs meet.
+/// A negative number in parentheses, so that two signs do not meet.
 pub(super) fn signed(text: &str, x: f64) -> String {
     if x.is_sign_negative() { format!("({text})") } else { text.to_owned() }
 }
@@ -239,10 +239,11 @@ fn function(one: &Recorded, body: &Body, lines: &Lines, with_jacobian: bool) -> 
     text.finished()
 }
 
-/// Up to so many zeros one by one: what compilers make of memset takes longer than small formulas do.
+/// Up to this many zeros are written one by one: compilers turn longer loops into memset, which takes longer than
+/// small formulas do.
 const FEW_ZEROS: usize = 64;
 
-/// The entries that are always 0, or all of them where these are many.
+/// The entries that are always 0, or all entries if there are many.
 fn zeroed(zeros: &[usize], entries: usize) -> String {
     if zeros.len() > FEW_ZEROS {
         return format!("    memset(jacobian, 0, {entries} * sizeof *jacobian);\n");
@@ -252,7 +253,7 @@ fn zeroed(zeros: &[usize], entries: usize) -> String {
     statements(zeros.iter().enumerate().map(|(n, k)| format!("jacobian[{k}] ={}", end(n))))
 }
 
-/// Short statements, several in a line.
+/// Short statements, several per line.
 fn statements(texts: impl Iterator<Item = String>) -> String {
     filled(texts, WIDTH - 4).iter().map(|line| ["    ", line, "\n"].concat()).collect()
 }
@@ -315,7 +316,7 @@ fn header(one: &Recorded) -> String {
     comment(&lines) + &guarded(&format!("jp_{}", stem(one)), &text)
 }
 
-/// The header of all.
+/// The header that includes all others.
 fn umbrella(recorded: &[Recorded]) -> String {
     let mut text = Text::from(
         "/*\n * Formulas with their Jacobians, printed by jointproof from the program that it proves.\n *\n\

@@ -12,13 +12,13 @@ use std::fmt;
 use std::path::Path;
 use std::process::Command;
 
-/// What a comparison found.
+/// The result of a comparison.
 pub(super) struct Judged {
     toolchain: &'static str,
     compared: usize,
     differ: usize,
-    /// Differences within what the functions of the language may have: by formula how many, and the largest, in units of
-    /// the distance from 1 to the next number, or of the number's own where that is larger.
+    /// Differences within the tolerance for the functions of the language: by formula, how many, and the largest, in
+    /// units of the distance from 1 to the next number, or of the number's own if that is larger.
     near: BTreeMap<&'static str, (usize, f64)>,
     refused: usize,
     worst: Option<String>,
@@ -46,7 +46,7 @@ impl fmt::Display for Judged {
     }
 }
 
-/// Every toolchain that is here.
+/// Every available toolchain.
 pub(super) fn all(
     language: &dyn Language,
     folder: &Path,
@@ -54,7 +54,7 @@ pub(super) fn all(
     points: &[Vec<Point>],
 ) -> anyhow::Result<Vec<Judged>> {
     ensure!(!language.toolchains().is_empty(), "nothing here runs this format: it is read by other tools");
-    // The driver is started in the folder, by its whole path.
+    // The driver is started in the folder, by its absolute path.
     let folder = &folder.canonicalize()?;
     write_points(folder, points)?;
     let mut judged = Vec::new();
@@ -94,7 +94,7 @@ fn write_points(folder: &Path, points: &[Vec<Point>]) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// What the driver wrote: for every point a return code as a double, value, and Jacobian.
+/// Compares the driver's output: for every point a return code as a double, value, and Jacobian.
 fn compare(
     toolchain: &Toolchain,
     recorded: &[Recorded],
@@ -164,7 +164,7 @@ impl Judged {
     }
 }
 
-/// A return code that is not 0; the driver gives −1 where the two functions of a formula do not agree.
+/// A non-zero return code; the driver returns −1 if the two functions of a formula disagree.
 fn refusal(code: f64) -> String {
     if code < 0.0 {
         return "the function for the value gives another one than the function with the Jacobian".into();
@@ -172,12 +172,12 @@ fn refusal(code: f64) -> String {
     format!("refuses input {code}, which is valid")
 }
 
-/// Whether a number differs by no more than results may that come through a function of the language, as the sine.
+/// Whether a number is within the tolerance for results computed with a function of the language, such as the sine.
 pub(super) fn is_near(one: &Recorded, epsilons: f64, [found, expected]: [f64; 2]) -> bool {
     (found - expected).abs() <= f64::EPSILON * epsilons * (1.0 + expected.abs()) && has_functions(one)
 }
 
-/// Whether a formula calls functions that languages round in their own ways.
+/// Whether a formula calls functions that languages round differently.
 fn has_functions(one: &Recorded) -> bool {
     use jointproof::toolkit::graph::Unary::{Cosine, Exponential, ExponentialMinusOne, Sine};
     one.graph.ops().iter().any(|op| match op {
@@ -215,7 +215,7 @@ mod tests {
     use crate::files;
     use jointproof::catalog::find;
 
-    /// What the check says of an export in which a text of a file is replaced by another.
+    /// The report of the check for an export in which a text of a file is replaced by another.
     fn judged(id: &str, file: &str, from: &str, to: &str) -> String {
         let folder = tempfile::tempdir().unwrap();
         let (recorded, _) = record(&[find(id).unwrap()], None);
@@ -283,7 +283,7 @@ mod tests {
         assert_eq!(largest(0.5, 0.5), None);
     }
 
-    /// A formula with a value and two entries, at three points: one with results, one that is refused, one that is too large.
+    /// A formula with a value and two entries, at three points: one with results, one rejected, one too large.
     #[test]
     fn what_a_driver_wrote_is_compared_point_by_point() {
         let (recorded, _) = record(&[find("slot.contact_force").unwrap()], None);

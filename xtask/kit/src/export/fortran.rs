@@ -13,7 +13,7 @@ pub(super) struct Fortran;
 
 const RUNTIME: &str = include_str!("runtime/jp_runtime.f90");
 const FLAGS: &str = "-std=f2008 -O2 -ffp-contract=off -Wall -Wextra -pedantic -Werror";
-/// Names are one whether written large or small, so that a temporary t12 may not meet an argument T12.
+/// Names are case-insensitive, so that a temporary t12 must not clash with an argument T12.
 const RESERVED: [&str; 9] = ["code", "dp", "jacobian", "real", "result", "huge", "abs", "given", "found"];
 
 const NAMES: Names = Names {
@@ -295,7 +295,7 @@ fn makefile(formulas: &[Vec<File>], drivers: &[File]) -> String {
         objects.join(" \\\n    "),
         drivers.join(" ")
     ));
-    // A formula stands behind its parts, and each part behind those that it calls.
+    // A formula comes after its parts, and each part after those it calls.
     for files in formulas {
         for pair in files[1..].windows(2) {
             text.push(format!("{}: {}\n", object(&pair[1]), object(&pair[0])));
@@ -316,7 +316,7 @@ mod tests {
     use super::{PartLines, part_source};
     use crate::export::program::Lines;
 
-    /// Results of earlier parts, and none where a part needs none.
+    /// Results of earlier parts as arguments, and none if a part needs none.
     #[test]
     fn a_part_takes_what_it_is_given() {
         let source = |given| {

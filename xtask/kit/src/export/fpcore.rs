@@ -1,5 +1,5 @@
-//! FPCore, the exchange format of `FPBench`: what a formula means, an expression for every output and every derivative, for tools
-//! that bound or improve rounding errors.
+//! FPCore, the exchange format of `FPBench`: an expression for every output and every derivative of a formula, for
+//! tools that bound or improve rounding errors.
 
 use super::c::NAMES;
 use super::language::{File, Language, Toolchain};
@@ -94,7 +94,7 @@ struct Printed<'a> {
 }
 
 impl Printed<'_> {
-    /// How a result is called where it is used; an answer stands there itself.
+    /// The text of a result where it is used; Booleans are written in place.
     fn text(&self, node: Node) -> String {
         match self.one.graph.op(node) {
             Op::Input(k) => self.inputs[*k].clone(),
@@ -232,7 +232,7 @@ mod tests {
         assert!(searches.is_some_and(|why| why.contains("it searches in a loop")) && computes.is_none());
     }
 
-    /// What is printed is read back and evaluated: at ordinary points it has the bits of the formula.
+    /// The output is parsed and evaluated: at ordinary points it has the bits of the formula.
     #[test]
     fn expressions_have_the_bits_of_the_formula() {
         for id in ["slot.friction", "coulomb.return_map", "cardan.angles", "interaction.damping", "join.rows"] {

@@ -9,7 +9,7 @@ use jointproof::toolkit::graph::{Node, Op, Unary};
 
 pub(super) struct JavaScript;
 
-/// By how much functions such as the sine may differ from Rust's: see [`Toolchain::epsilons`].
+/// The tolerance for functions such as the sine, compared with Rust: see [`Toolchain::epsilons`].
 pub(super) const EPSILONS: f64 = 64.0;
 
 pub(super) const RUNTIME: &str = include_str!("runtime/jp_runtime.mjs");
@@ -135,7 +135,7 @@ fn imports<'a>(stem: &str, parts: impl Iterator<Item = &'a usize>) -> String {
         + &parts.collect::<String>()
 }
 
-/// Inputs and outputs, and why inputs are refused that are allowed each for itself.
+/// Inputs and outputs, and the conditions that inputs must satisfy together.
 fn fields(one: &Recorded) -> String {
     let mut text = Text::from("\nexport const inputs = [\n");
     for field in one.formula.inputs() {

@@ -1,4 +1,4 @@
-//! What a language says for the operations of a graph.
+//! The syntax of a language for the operations of a graph.
 
 use super::recorded::Recorded;
 use jointproof::formula::Field;
@@ -7,24 +7,24 @@ use jointproof::toolkit::graph::{Node, Op};
 /// The text of the operand at a node.
 pub(super) type Operand<'a> = &'a dyn Fn(Node) -> String;
 
-/// What builds and runs a driver: commands in the folder of the export.
+/// The commands that build and run a driver in the folder of the export.
 pub(super) struct Toolchain {
-    /// The program that must be here.
+    /// The program that must be available.
     pub(super) name: &'static str,
     /// The commands, each a program and its arguments; the last one is the driver.
     pub(super) commands: Vec<Vec<String>>,
-    /// By how much results that come from functions such as the sine may differ from those of Rust, in units of the distance
-    /// from 1 to the next number: the language has its own, which may be off by a rounding, and angles are of the size 1.
+    /// The tolerance for results computed with functions such as the sine, compared with Rust, in units of the distance from 1 to
+    /// the next number: each language has its own functions, which may be off by a rounding, and angles are of the size 1.
     pub(super) epsilons: f64,
 }
 
 /// A name and a text.
 pub(super) type File = (String, String);
 
-/// No file of a formula has more lines.
+/// The largest number of lines in a file of a formula.
 const LONGEST: usize = 400;
 
-/// The files of a formula, its functions in parts where they are too long for one.
+/// The files of a formula, with its functions split into parts if they are too long for one file.
 pub(super) fn files_of(language: &dyn Syntax, one: &Recorded) -> Vec<File> {
     let limits = [usize::MAX, 100, 60, 30, 15, 5];
     let mut files = Vec::new();
@@ -47,13 +47,13 @@ pub(super) trait Language {
         None
     }
 
-    /// What can build and run them.
+    /// The toolchains that can build and run the files.
     fn toolchains(&self) -> Vec<Toolchain>;
 }
 
-/// How a language writes functions of statements.
+/// A language in which functions consist of statements.
 pub(super) trait Syntax {
-    /// The files of one formula, the first of them with functions of about so many lines at most.
+    /// The files of one formula; the first one has functions of about `limit` lines at most.
     fn formula(&self, one: &Recorded, limit: usize) -> Vec<File>;
 
     /// A constant.
@@ -62,39 +62,39 @@ pub(super) trait Syntax {
     /// A component of an argument.
     fn argument(&self, field: &Field, component: usize) -> String;
 
-    /// An operation; what has several lines has them indented by the caller.
+    /// An operation; if it spans several lines, the caller indents them.
     fn operation(&self, op: &Op, operand: Operand) -> String;
 
     /// A name for a result, set once.
     fn set(&self, name: &str, is_answer: bool, value: &str) -> String;
 
-    /// The names of results that a choice sets, announced before it; nothing where all names are announced at the head.
+    /// The declaration of results that a choice sets, before it; `None` if all names are declared at the head.
     fn announce(&self, name: &str, is_answer: bool) -> Option<String>;
 
-    /// One of them is set.
+    /// The assignment of one of them.
     fn assign(&self, name: &str, value: &str) -> String;
 
-    /// How far the body of a function is indented, in steps.
+    /// The indentation of the body of a function, in steps.
     fn indent(&self) -> usize {
         1
     }
 
-    /// An element of an array; as an answer, if it stands for one.
+    /// An element of an array; converted to a Boolean if it represents one.
     fn element(&self, array: &str, k: usize, is_answer: bool) -> String;
 
-    /// What stands for a result among numbers.
+    /// The representation of a result among numbers.
     fn as_number(&self, text: &str, _is_answer: bool) -> String {
         text.to_owned()
     }
 
-    /// A part of a function is done: it takes inputs and other results, and gives an array.
+    /// The call of a part of a function: it takes inputs and other results, and returns an array.
     fn call(&self, stem: &str, part: usize, inputs: &[&Field], given: &[String], found: (&str, usize)) -> String;
 
-    /// What a line ends with that goes on in the next.
+    /// The mark at the end of a line that continues on the next.
     fn goes_on(&self) -> &'static str {
         ""
     }
 
-    /// The head of a choice, what stands between its sides, and its end.
+    /// The head of a choice, the text between its branches, and its end.
     fn choose(&self, condition: &str) -> [String; 3];
 }

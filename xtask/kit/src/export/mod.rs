@@ -1,4 +1,4 @@
-//! `export`: the verified program of a formula in another language, and the proof that it is the same.
+//! `export`: the verified program of a formula in another language, with a check that it is the same.
 
 mod c;
 mod check;
@@ -125,7 +125,7 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     Ok(verdict(well))
 }
 
-/// The files of an export, for tests of what calls it.
+/// The files of an export, for tests of code that calls it.
 #[cfg(test)]
 pub(crate) fn files_in(lang: &str, formulas: &[&'static dyn jointproof::catalog::AnyFormula]) -> Vec<(String, String)> {
     let name = <Name as clap::ValueEnum>::from_str(lang, false).expect("a language is named");

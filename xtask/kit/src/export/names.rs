@@ -1,4 +1,4 @@
-//! Temporaries that are results of other formulas, by the names that they have there.
+//! Names temporaries after results of other formulas.
 
 use jointproof::catalog::AnyFormula;
 use jointproof::formula::Field;
@@ -8,7 +8,7 @@ use std::collections::{HashMap, HashSet};
 /// A formula and its graph.
 type Known = (&'static dyn AnyFormula, Graph);
 
-/// The names in one formula, from others that take inputs of the same names.
+/// The names in one formula, from others whose inputs have the same names.
 pub(super) fn of((formula, graph): &Known, all: &[Known]) -> HashMap<Node, String> {
     let fields = formula.inputs().iter().chain(formula.outputs());
     let mut taken: HashSet<_> = fields.map(|field| field.name.to_lowercase()).collect();
@@ -26,7 +26,7 @@ pub(super) fn of((formula, graph): &Known, all: &[Known]) -> HashMap<Node, Strin
     names
 }
 
-/// Where the components of some fields are among those of others, if all of them are there by their names.
+/// The positions of the components of some fields among those of others, if all of them occur there by name.
 fn positions(fields: &[Field], among: &[Field]) -> Option<Vec<usize>> {
     let mut positions = Vec::new();
     for field in fields {
@@ -38,7 +38,7 @@ fn positions(fields: &[Field], among: &[Field]) -> Option<Vec<usize>> {
     Some(positions)
 }
 
-/// The names of components, in lower case: some languages do not tell the cases apart.
+/// The names of components, in lower case, since some languages are case-insensitive.
 fn components(fields: &[Field]) -> impl Iterator<Item = String> {
     let of = |field: &Field| match field.len() {
         1 => vec![format!("{}_", field.name.to_lowercase())],
@@ -63,7 +63,7 @@ mod tests {
         assert!(names.keys().all(|node| !all[0].1.is_atom(*node)));
     }
 
-    /// Names of what the friction of a slot computes.
+    /// The names in the friction of a slot.
     fn names_of_friction(others: &[Known]) -> Vec<(Node, String)> {
         let friction = known("slot.friction");
         of(&friction, others).into_iter().collect()
@@ -74,7 +74,7 @@ mod tests {
         (formula, formula.graph().unwrap())
     }
 
-    /// As this formula, which takes the same inputs, the contact force or what that is computed from.
+    /// Pretends that this formula, which has the same inputs, has the contact force or one of its operands as its value.
     fn known_as(id: &str, of_force: impl Fn(&Graph, Node) -> bool) -> Known {
         let (_, mut graph) = known("slot.contact_force");
         let node = graph.needed(&graph.value).into_iter().find(|&node| of_force(&graph, node)).unwrap();
@@ -98,10 +98,10 @@ mod tests {
     #[test]
     fn no_two_results_have_one_name() {
         let forces = known("join.nodal_forces");
-        // As if another formula of the same inputs had what JOIN exerts on b.
+        // Pretends that another formula with the same inputs has the forces of JOIN on b as its outputs.
         let mut whole = (find("join.geometric_stiffness").unwrap(), forces.1.clone());
         whole.1.value.drain(..6);
-        // As if the terms were the components of that force.
+        // Pretends that the terms are the components of that force.
         let mut terms = whole.clone();
         let graph = &mut terms.1;
         let is_term = |node: &Node| !graph.is_atom(*node) && !graph.value.contains(node);

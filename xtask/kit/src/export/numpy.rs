@@ -1,4 +1,4 @@
-//! NumPy: every formula over arrays, both sides of every choice computed.
+//! NumPy: every formula over arrays, with both branches of every choice computed.
 
 use super::c::{Names, common, signed};
 use super::language::{File, Language, Toolchain};
@@ -14,10 +14,10 @@ pub(super) struct NumPy;
 
 const RUNTIME: &str = include_str!("runtime/jp_runtime.py");
 const DRIVER: &str = include_str!("runtime/driver.py");
-/// User functions for Exudyn, and the formulas that they call.
+/// User functions for Exudyn, and the formulas they call.
 const EXUDYN: &str = include_str!("runtime/exudyn_ujoint.py");
 const EXUDYN_CALLS: [&str; 4] = [Arm::SPEC.id, line::Rows::SPEC.id, Constraint::SPEC.id, cross::Rows::SPEC.id];
-/// Words of Python, and what the functions themselves need.
+/// Reserved words of Python, and names used in the functions themselves.
 const RESERVED: [&str; 4] = ["lambda", "in", "np", "given"];
 
 const NAMES: Names = Names {
@@ -104,7 +104,7 @@ fn source(one: &Recorded) -> String {
     text.finished()
 }
 
-/// A function that gives results, each list of them stacked.
+/// A function that returns results, with each list of them stacked.
 fn function(one: &Recorded, name: &str, results: &[&[Node]]) -> String {
     let inputs: Vec<_> = one.formula.inputs().iter().map(name_of).collect();
     let all = results.concat();
@@ -118,7 +118,7 @@ fn function(one: &Recorded, name: &str, results: &[&[Node]]) -> String {
     format!("{}{}{}\n", head(name, &inputs), lines(one, &all), short(&format!("    return ({})", lists.join(", "))))
 }
 
-/// The head of a function, in which inputs are lists of components.
+/// The head of a function whose inputs are lists of components.
 fn head(name: &str, inputs: &[String]) -> String {
     let inputs = inputs.join(", ");
     let def = short(&format!("def {name}({inputs}):"));
@@ -129,7 +129,7 @@ fn short(line: &str) -> String {
     folded(line, "").join("\n")
 }
 
-/// Inputs by their names, and a line for every operation that these results need.
+/// The inputs by name, and a line for every operation that these results need.
 fn lines(one: &Recorded, results: &[Node]) -> String {
     let mut lines = Vec::new();
     for (k, field) in one.formula.inputs().iter().enumerate() {
@@ -148,7 +148,7 @@ fn lines(one: &Recorded, results: &[Node]) -> String {
     lines.concat()
 }
 
-/// How a result is called where it is used.
+/// The text of a result where it is used.
 fn text(one: &Recorded, node: Node) -> String {
     match one.graph.op(node) {
         Op::Input(k) => input(one.formula.inputs(), *k),

@@ -1,9 +1,9 @@
-//! A long function in parts: statements that follow each other become a function of their own.
+//! Splits a long function into parts: consecutive statements become a separate function.
 
 use jointproof::toolkit::graph::{Graph, Node, Op, Statement};
 use std::collections::{HashMap, HashSet};
 
-/// A part has about so many lines.
+/// The approximate number of lines of a part.
 const PART: usize = 180;
 
 /// A step of a function.
@@ -11,40 +11,40 @@ const PART: usize = 180;
 pub(super) enum Step {
     /// A result is computed.
     Compute(Node),
-    /// One of two sides is done.
+    /// One of two branches is executed.
     Choose {
         condition: Node,
-        /// What follows: a result, what it is where the answer is yes, and what it is where it is no.
+        /// The results of the choice, each with its value in the yes-branch and in the no-branch.
         results: Vec<[Node; 3]>,
         yes: Vec<Step>,
         no: Vec<Step>,
     },
-    /// A part is done.
+    /// A part is called.
     Call(usize),
 }
 
-/// Statements that are a function of their own.
+/// Statements that form a separate function.
 #[derive(Clone, Debug)]
 pub(super) struct Part {
     pub(super) steps: Vec<Step>,
-    /// What it takes beside inputs.
+    /// The results it takes in addition to inputs.
     pub(super) given: Vec<Node>,
-    /// What others need of it.
+    /// Its results that others need.
     pub(super) found: Vec<Node>,
 }
 
-/// A function, and the parts that it and they call; a part stands behind those that it calls.
+/// A function, and all parts called directly or indirectly; a part comes after those that it calls.
 #[derive(Debug)]
 pub(super) struct Outline<'a> {
     graph: &'a Graph,
-    /// How often each result is used in all.
+    /// The total number of uses of each result.
     uses: HashMap<Node, usize>,
     pub(super) main: Vec<Step>,
     pub(super) parts: Vec<Part>,
 }
 
 impl<'a> Outline<'a> {
-    /// With a main function of about so many lines at most.
+    /// With a main function of about `limit` lines at most.
     pub(super) fn new(graph: &'a Graph, results: &[Node], limit: usize) -> Self {
         let main = steps(graph.statements(results));
         let mut outline = Self { graph, uses: HashMap::new(), main: Vec::new(), parts: Vec::new() };
@@ -55,7 +55,7 @@ impl<'a> Outline<'a> {
         outline
     }
 
-    /// The same with parts called, so that about so many lines are left, if that can be.
+    /// The steps with parts called, so that about `limit` lines are left, if possible.
     fn shortened(&mut self, mut steps: Vec<Step>, limit: usize) -> Vec<Step> {
         if self.lines(&steps) <= limit {
             return steps;
@@ -73,7 +73,7 @@ impl<'a> Outline<'a> {
         }
     }
 
-    /// A step with its sides shortened, so that a part can hold it.
+    /// A step with its branches shortened, so that it fits into a part.
     fn within_a_part(&mut self, step: Step) -> Step {
         match step {
             Step::Choose { condition, results, yes, no }
@@ -87,7 +87,7 @@ impl<'a> Outline<'a> {
         }
     }
 
-    /// Steps that follow each other, together as long as a part, as calls of parts.
+    /// Groups of consecutive steps, each as long as a part, as calls of parts.
     fn grouped(&mut self, steps: Vec<Step>) -> Vec<Step> {
         let (mut calls, mut group) = (Vec::new(), Vec::new());
         for step in steps {
@@ -102,7 +102,7 @@ impl<'a> Outline<'a> {
         calls.concat()
     }
 
-    /// A call of a new part, where that is shorter.
+    /// A call of a new part, if that is shorter.
     fn called(&mut self, steps: Vec<Step>) -> Vec<Step> {
         let (mut used, mut defined) = (HashMap::<_, usize>::new(), HashSet::new());
         self.walk(&steps, &mut |node| *used.entry(node).or_default() += 1, &mut |node| _ = defined.insert(node));
@@ -121,7 +121,7 @@ impl<'a> Outline<'a> {
         vec![Step::Call(self.parts.len() - 1)]
     }
 
-    /// What is used and what is computed in steps and in the parts that they call.
+    /// Visits the results used and computed in steps and in the parts that they call.
     pub(super) fn walk(&self, steps: &[Step], used: &mut impl FnMut(Node), defined: &mut impl FnMut(Node)) {
         for step in steps {
             match step {
@@ -184,7 +184,7 @@ mod tests {
     use super::*;
     use jointproof::catalog::find;
 
-    /// Statements that take so many lines.
+    /// Statements that take this many lines.
     fn lines(graph: &Graph, count: usize) -> Vec<Step> {
         let first = graph.value[0];
         assert!(!matches!(graph.op(first), Op::ExactSum(_) | Op::Search(..)), "it takes a line");
@@ -201,7 +201,7 @@ mod tests {
         Step::Choose { condition: node, results: vec![[node; 3]; results], yes, no }
     }
 
-    /// But for the three lines that every choice has.
+    /// Except for the three lines of every choice.
     #[test]
     fn a_choice_that_no_part_could_hold_is_shortened_until_one_can() {
         let graph = find("slot.contact_force").unwrap().graph().unwrap();
@@ -235,7 +235,7 @@ mod tests {
         assert_eq!(parts(101, 100), (3, vec![101]));
         assert_eq!(parts(PART, 100), (3, vec![PART]));
         assert_eq!(parts(2 * PART + 9, 100), (9, vec![PART, PART, 9]));
-        // No call where that is no shorter.
+        // No call if it is no shorter.
         assert_eq!(parts(PART + 3, 100), (6, vec![PART]));
         assert_eq!([parts(3, 1), parts(4, 1)], [(3, vec![]), (3, vec![4])]);
     }
@@ -256,7 +256,7 @@ mod tests {
             assert_eq!(part.given, given);
             assert!(part.found.is_sorted() && part.found.iter().all(|node| defined.contains(node)));
         }
-        // With no other use, all results that are computed are found in one part or are computed beside the parts.
+        // As there are no other uses, every result is either returned by one part or computed outside the parts.
         let (mut there, mut beside) = (HashSet::new(), HashSet::new());
         outline.parts.iter().for_each(|part| there.extend(part.found.iter().copied()));
         for step in &outline.main {

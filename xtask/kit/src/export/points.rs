@@ -1,4 +1,4 @@
-//! The points at which an export is compared, and what Rust finds there.
+//! The points at which an export is compared, and the results of Rust there.
 
 use super::recorded::Recorded;
 use jointproof::Error;
@@ -6,20 +6,20 @@ use jointproof::formula::Field;
 use jointproof::toolkit::measure::Options;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
-/// A point of a formula, and what Rust says of it.
+/// A point of a formula, with the result of Rust.
 pub(super) struct Point {
     pub(super) name: String,
     pub(super) inputs: Vec<f64>,
     pub(super) expected: Expected,
 }
 
-/// What Rust says of a point.
+/// The result of Rust at a point.
 pub(super) enum Expected {
     /// Value and Jacobian.
     Results(Vec<f64>),
-    /// Inputs are refused by this code.
+    /// The inputs are rejected with this code.
     Refused(u32),
-    /// Results that are too large for doubles, which a program in another language does not look for.
+    /// The results are too large for doubles, which programs in other languages do not check.
     TooLarge,
 }
 
@@ -46,14 +46,14 @@ fn of(one: &Recorded, samples: usize) -> Vec<Point> {
     cases.chain(kinks).chain(random).collect()
 }
 
-/// The code by which an error is told: the position of the input, or of what is required behind all inputs.
+/// The return code of an error: the position of the input, or of a joint condition after all inputs.
 fn code(one: &Recorded, error: &Error) -> Option<u32> {
     let inputs = one.formula.inputs();
     let together = || one.graph.refusals.iter().position(|known| known.is_alike(error)).map(|k| inputs.len() + k + 1);
     let code = match error {
         Error::NonFinite { name, .. } | Error::OutOfRange { name, .. } => {
             let alone = inputs.iter().position(|field| field.name == name.field).map(|k| k + 1);
-            // A radius that is negative is in the domain of a coordinate.
+            // A negative radius is in the domain of a coordinate, so that the joint condition rejects it.
             together().or(alone)
         }
         _ => together(),

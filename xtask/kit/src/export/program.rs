@@ -1,4 +1,4 @@
-//! The body of a function: the statements of a graph in a language.
+//! The body of a function: the statements of a graph, written in a language.
 
 use super::language::Syntax;
 use super::outline::{Outline, Part, Step};
@@ -6,29 +6,29 @@ use jointproof::formula::Field;
 use jointproof::toolkit::graph::{Graph, Node, Op};
 use std::collections::{BTreeSet, HashMap};
 
-/// A function's body for some results of a graph.
+/// The body of a function for some results of a graph.
 pub(super) struct Body<'a> {
     pub(super) language: &'a dyn Syntax,
     pub(super) graph: &'a Graph,
     pub(super) inputs: &'static [Field],
-    /// Results that are called as what they are.
+    /// Results with descriptive names.
     pub(super) names: &'a HashMap<Node, String>,
-    /// What the formula is called.
+    /// The name of the formula.
     pub(super) stem: &'a str,
 }
 
-/// A function that is printed.
+/// A function in printed form.
 #[derive(Default)]
 pub(super) struct Lines {
     pub(super) text: Vec<String>,
     /// Its temporaries.
     pub(super) numbers: Vec<String>,
     pub(super) answers: Vec<String>,
-    /// What parts give: the name of an array, and its length.
+    /// The results of parts: the name of an array, and its length.
     pub(super) arrays: Vec<(String, usize)>,
     /// The parts that it calls.
     pub(super) calls: BTreeSet<usize>,
-    /// What results of other functions are called.
+    /// The names of results of other functions.
     called: HashMap<Node, String>,
 }
 
@@ -37,15 +37,15 @@ pub(super) struct PartLines {
     pub(super) number: usize,
     /// The inputs that it takes.
     pub(super) inputs: Vec<&'static Field>,
-    /// How many results it is given, and how many it gives.
+    /// The number of results passed to it, and the number it returns.
     pub(super) given: usize,
     pub(super) found: usize,
     pub(super) lines: Lines,
 }
 
 impl Body<'_> {
-    /// The lines that compute these results, from an indentation on, about as many as the limit allows, and parts that are
-    /// numbered from the first number on.
+    /// The lines that compute these results, indented, about as many as the limit allows, and the parts, numbered from
+    /// `first`.
     pub(super) fn program(&self, results: &[Node], limit: usize, first: usize) -> (Lines, Vec<PartLines>) {
         let outline = Outline::new(self.graph, results, limit);
         let parts = outline.parts.iter().enumerate().map(|(k, part)| self.part(&outline, first, (k, part))).collect();
@@ -87,7 +87,7 @@ impl Body<'_> {
         self.inputs.iter().filter(is_used).collect()
     }
 
-    /// How a result is called where it is used.
+    /// The text of a result where it is used.
     pub(super) fn text(&self, lines: &Lines, node: Node) -> String {
         match self.graph.op(node) {
             Op::Input(k) => self.input(*k),
@@ -194,10 +194,10 @@ impl Printed<'_> {
     }
 }
 
-/// No line is longer than this; a sign may follow.
+/// The largest length of a line; a continuation mark may follow.
 pub(super) const WIDTH: usize = 98;
 
-/// A line that is too long, broken between arguments.
+/// A long line, broken between arguments.
 pub(super) fn folded(line: &str, goes_on: &str) -> Vec<String> {
     let hanging = " ".repeat(line.len() - line.trim_start().len() + 4);
     let (mut lines, mut rest) = (Vec::new(), line.to_owned());
@@ -222,7 +222,7 @@ mod tests {
         assert_eq!((most.len(), folded(&most, "")), (WIDTH, vec![most.clone()]));
         let rest = |text: &str| format!("      {text}");
         assert_eq!(folded(&more, ""), [more.replace(", c);", ","), rest("c);")]);
-        // A comma at the edge, and where a sign follows.
+        // A comma at the limit, and with a continuation mark.
         let edge = |first: usize| format!("  call({}, {});", "a".repeat(first), "b".repeat(40));
         for (first, sign, breaks) in [(89, "", 2), (90, "", 1), (88, " &", 1), (87, " &", 2)] {
             let lines = folded(&edge(first), sign);

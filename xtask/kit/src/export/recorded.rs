@@ -1,4 +1,4 @@
-//! A formula that is exported, and what every language says of it: names, what it is, and which inputs it refuses.
+//! A formula to be exported, and its parts common to all languages: names, description, and the inputs it rejects.
 
 use super::names;
 use crate::files;
@@ -21,7 +21,7 @@ pub(super) struct Recorded {
     checksum: Option<String>,
 }
 
-/// The graphs of formulas, and those that have none. The golden files of this folder are told by their checksums.
+/// The graphs of formulas, and the formulas without one. The golden files in this folder are identified by their checksums.
 pub(super) fn record(
     formulas: &[&'static dyn AnyFormula],
     golden: Option<&Path>,
@@ -44,23 +44,23 @@ fn checksum(path: &Path) -> Option<String> {
 }
 
 impl Recorded {
-    /// What a function computes: first whether inputs are refused.
+    /// The results of a function, starting with the rejection of inputs.
     pub(super) fn results(&self, with_jacobian: bool) -> Vec<Node> {
         let jacobian: &[Node] = if with_jacobian { &self.graph.jacobian } else { &[] };
         self.graph.refusal.iter().chain(&self.graph.value).chain(jacobian).copied().collect()
     }
 
-    /// The functions that are printed, by whether they give the Jacobian: there is one that does where it is in closed form.
+    /// The functions that are printed, each by whether it computes the Jacobian: one does if that is in closed form.
     pub(super) fn functions(&self) -> Vec<bool> {
         if self.formula.spec().is_closed() { vec![false, true] } else { vec![false] }
     }
 
-    /// The name of the function that gives most.
+    /// The name of the function with the most results.
     pub(super) fn largest_function(&self) -> &'static str {
         function_name(self.formula.spec().is_closed())
     }
 
-    /// How many entries a row of the Jacobian has.
+    /// The number of entries in a row of the Jacobian.
     pub(super) fn row(&self) -> usize {
         self.formula.inputs().iter().map(Field::len).sum()
     }
@@ -72,7 +72,7 @@ impl Recorded {
         others.map(|(k, row)| (k * self.row(), row)).collect()
     }
 
-    /// The places of the entries of the Jacobian that are always 0, and the others with theirs.
+    /// The indices of the entries of the Jacobian that are always 0, and the others with their indices.
     pub(super) fn entries(&self) -> (Vec<usize>, Vec<(usize, Node)>) {
         let entries = self.graph.jacobian.iter().copied().enumerate();
         let (zeros, others): (Vec<_>, Vec<_>) = entries.partition(|&(_, entry)| self.is_zero(entry));
@@ -84,7 +84,7 @@ impl Recorded {
     }
 }
 
-/// What the return codes mean that refuse inputs, a line each.
+/// The meanings of the return codes that reject inputs, one line each.
 pub(super) fn refusals(one: &Recorded) -> Vec<String> {
     let inputs = one.formula.inputs();
     let alone = inputs.iter().map(|field| format!("{}: {}", field.name, field.quantity.domain.allowed()));
@@ -98,12 +98,12 @@ pub(super) fn stem(one: &Recorded) -> String {
     one.formula.spec().id.replace('.', "_")
 }
 
-/// What the function is called behind the name of the formula.
+/// The name of the function, without that of the formula.
 pub(super) const fn function_name(with_jacobian: bool) -> &'static str {
     if with_jacobian { "jacobian" } else { "value" }
 }
 
-/// What the head of a formula's file says, line by line.
+/// The comment at the head of a formula's file, line by line.
 pub(super) fn description(one: &Recorded) -> Vec<String> {
     let spec = one.formula.spec();
     let fields = |role: &'static str, fields: &'static [Field]| fields.iter().map(move |field| described(role, field));
@@ -131,13 +131,13 @@ fn described(role: &str, field: &Field) -> String {
     format!("{role} {}{shape} [{}] {}", field.name, field.quantity.unit, field.quantity.meaning)
 }
 
-/// In lines of at most 90 characters, broken at spaces; an empty text is an empty line.
+/// Wraps a text at spaces into lines of at most 90 characters; an empty text is an empty line.
 fn wrapped(text: &str) -> Vec<String> {
     let lines = filled(text.split_whitespace(), 90);
     if lines.is_empty() { vec![String::new()] } else { lines }
 }
 
-/// Short texts one behind the other, in lines of at most so many characters.
+/// Joins short texts into lines of at most this many characters.
 pub(super) fn filled(texts: impl Iterator<Item = impl AsRef<str>>, width: usize) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for text in texts {
@@ -150,7 +150,7 @@ pub(super) fn filled(texts: impl Iterator<Item = impl AsRef<str>>, width: usize)
     lines
 }
 
-/// What a component must be beside finite: comparisons of it, `lower`, with numbers.
+/// The conditions on a component besides being finite: comparisons, as `lower`, with numbers.
 pub(super) fn bounds(domain: Domain) -> Vec<(&'static str, f64)> {
     match domain {
         Domain::NonNegative => vec![(">=", 0.0)],
@@ -162,7 +162,7 @@ pub(super) fn bounds(domain: Domain) -> Vec<(&'static str, f64)> {
     }
 }
 
-/// A name that no word of the language has.
+/// A name that is no reserved word of the language.
 pub(super) fn unreserved(name: &str, reserved: &[&str]) -> String {
     if reserved.contains(&name) { format!("{name}_") } else { name.to_owned() }
 }
@@ -233,7 +233,7 @@ mod tests {
         assert!(
             others.iter().all(|&(k, entry)| one.graph.jacobian[k] == entry && one.graph.constant(entry) != Some(0.0))
         );
-        // A row is there if any of its entries is.
+        // A row is written if any of its entries is.
         let there: std::collections::BTreeSet<_> = others.iter().map(|(k, _)| k / one.row() * one.row()).collect();
         assert!(rows.iter().map(|(first, _)| *first).eq(there));
         let (alone, both) = (one.results(false), one.results(true));
@@ -244,7 +244,7 @@ mod tests {
     fn what_refuses_inputs_is_told_by_its_code() {
         let (recorded, _) = record(&[jointproof::catalog::find("slide_line.contact_area_parabolic").unwrap()], None);
         let (one, lines) = (&recorded[0], refusals(&recorded[0]));
-        // A code each, without those lines that go on.
+        // One code per line, apart from continuation lines.
         let inputs = one.formula.inputs();
         let count = inputs.len() + one.graph.refusals.len();
         for code in 1..=count {

@@ -1,4 +1,4 @@
-//! The JavaScript of a formula as a classic script. Browsers load no modules from a file, and a book is read from files.
+//! The JavaScript of a formula as a classic script, since browsers do not load modules from `file://`.
 
 use super::check::{entry, is_near};
 use super::javascript::{EPSILONS, RUNTIME, source};
@@ -6,13 +6,13 @@ use super::recorded::{Recorded, record};
 use jointproof::catalog::AnyFormula;
 use jointproof::toolkit::graph::NotRecorded;
 
-/// A formula that is printed.
+/// A formula in printed form.
 pub(crate) struct Script(Recorded);
 
 /// The script of a formula.
 ///
 /// # Errors
-/// What in it cannot be written down.
+/// The reason why it cannot be recorded.
 pub(crate) fn script(formula: &'static dyn AnyFormula) -> Result<Script, NotRecorded> {
     let (recorded, refused) = record(&[formula], None);
     let why = |(_, why): (_, NotRecorded)| why;
@@ -24,8 +24,8 @@ pub(crate) fn script(formula: &'static dyn AnyFormula) -> Result<Script, NotReco
 }
 
 impl Script {
-    /// A function that takes the runtime and gives what the module exports: the text of the module in one part, without the
-    /// words that only modules have, and without the function for the value, which that for the Jacobian gives too.
+    /// A function that takes the runtime and returns the exports of the module: the text of the module in one part,
+    /// without module syntax, and without the function for the value, which that for the Jacobian computes too.
     pub(crate) fn text(&self) -> String {
         let (module, _) = source(&self.0, usize::MAX);
         let (head, rest) = module.split_once("\nexport function value").expect("a module has a function for the value");
@@ -40,18 +40,18 @@ impl Script {
         )
     }
 
-    /// Whether a number is what Rust finds, but for what the functions of the language may differ by.
+    /// Whether a number agrees with Rust's within the tolerance for functions of the language.
     pub(crate) fn is_near(&self, found: f64, expected: f64) -> bool {
         is_near(&self.0, EPSILONS, [found, expected])
     }
 
-    /// The name of a component of the value, or behind these of an entry of the Jacobian.
+    /// The name of a component of the value, or, after these, of an entry of the Jacobian.
     pub(crate) fn entry(&self, k: usize) -> String {
         entry(&self.0, k)
     }
 }
 
-/// What formulas call and what refuses inputs, as a function without arguments that gives all of it.
+/// The runtime of formulas and of input checks, as a function without arguments that returns all of it.
 pub(crate) fn runtime_script() -> String {
     let exported = RUNTIME.lines().filter_map(|line| line.strip_prefix("export "));
     let name = |line: &'static str| line.split([' ', '(']).nth(1);

@@ -1,7 +1,7 @@
-//! `export --shell`: a user routine of a program of finite elements in one file, with the exported formulas that it calls.
+//! `export --shell`: a user routine for a finite-element program in one file, with the exported formulas that it calls.
 //!
-//! Elements share `uel.f90` and differ in their module `jp_connector`. What stands before `---` in a connector's file tells where
-//! its properties, its state and its multipliers are, and goes into the head of the element.
+//! Elements share `uel.f90` and differ in their module `jp_connector`. The text before `---` in a connector's file describes the
+//! layout of its properties, its state and its multipliers, and becomes part of the head of the element.
 
 use super::language::Language;
 use super::recorded::record;
@@ -38,7 +38,7 @@ impl Shell {
         }
     }
 
-    /// What it has beside the formulas.
+    /// Its own code, in addition to the formulas.
     fn own(self) -> String {
         match self {
             Self::UelSlot => element("SLOT", include_str!("shell/slot.f90")),
@@ -103,7 +103,7 @@ pub(super) fn write(project: &Project, shell: Shell, folder: &Path) -> anyhow::R
     ))
 }
 
-/// Modules, each behind those that it uses.
+/// Sorts modules such that each comes after those it uses.
 fn in_order(mut modules: Vec<String>) -> Vec<String> {
     let mut found: Vec<String> = Vec::new();
     while !modules.is_empty() {
@@ -117,7 +117,7 @@ fn in_order(mut modules: Vec<String>) -> Vec<String> {
     found
 }
 
-/// What a module is called.
+/// The name of a module.
 fn name(module: &str) -> &str {
     module.lines().find_map(|line| line.strip_prefix("module ")).expect("every file is a module")
 }

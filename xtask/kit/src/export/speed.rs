@@ -1,5 +1,5 @@
-//! How long the exported functions take in C, beside the formulas in Rust at the same points; both refuse what is
-//! invalid.
+//! The time of the exported functions in C, compared with the formulas in Rust at the same points; both reject invalid
+//! inputs.
 
 use super::c::loops;
 use super::recorded::{Recorded, stem};
@@ -15,10 +15,10 @@ use std::collections::HashMap;
 use std::path::Path;
 use std::process::Command;
 
-/// The optimisation of C that is compared with Rust's: as the header says, beside -O3 and calls that may be inlined, as
-/// Rust's are.
+/// The compiler options for the comparison with Rust: those of the header, plus -O3 and link-time optimisation, as
+/// calls may be inlined in Rust too.
 const FLAGS: &str = "-std=c99 -O3 -flto -ffp-contract=off";
-/// The C program runs so often before Rust's and as often behind it; the median of its times counts, as of Rust's.
+/// The number of runs of the C program before Rust's, and after it; the median of its times counts, as for Rust.
 const ROUNDS: usize = 3;
 
 /// Prints a table of times and ratios.
@@ -58,7 +58,7 @@ pub(super) fn compare(project: &Project, folder: &Path, recorded: &[Recorded]) -
     print(&table(rows))
 }
 
-/// Times in C and in Rust, the worst of C first, and what they come to.
+/// Times in C and in Rust, the worst of C first, with a summary.
 #[expect(clippy::cast_precision_loss, reason = "formulas are few")]
 fn table(mut rows: Vec<(&str, f64, f64)>) -> String {
     rows.sort_by(|a, b| (b.1 / b.2).total_cmp(&(a.1 / a.2)));
@@ -75,13 +75,13 @@ fn table(mut rows: Vec<(&str, f64, f64)>) -> String {
     )
 }
 
-/// The one in the middle, and of two there the greater.
+/// The median, the larger one of two middle values.
 fn median(times: &mut [f64]) -> f64 {
     times.sort_by(f64::total_cmp);
     times[times.len() / 2]
 }
 
-/// Reads what the program prints: a name and a time in every line.
+/// Parses the output of the program: a name and a time per line.
 fn read(printed: &str, times: &mut HashMap<String, Vec<f64>>) -> anyhow::Result<()> {
     for line in printed.lines() {
         let (name, time) = line.split_once(' ').context("the program prints names and times")?;
@@ -90,8 +90,8 @@ fn read(printed: &str, times: &mut HashMap<String, Vec<f64>>) -> anyhow::Result<
     Ok(())
 }
 
-/// How long what is exported of a formula takes in Rust, in nanoseconds, where invalid inputs are refused: value and Jacobian, or the
-/// value where the Jacobian is automatic.
+/// The time of the exported results of a formula in Rust, in nanoseconds, with invalid inputs rejected: value and
+/// Jacobian, or the value if the Jacobian is automatic.
 fn checked(report: &Report, spec: &Spec) -> Option<f64> {
     let measured = report.formulas.iter().find(|measured| measured.formula == spec.id)?;
     let way = measured.way("checked")?;

@@ -1,7 +1,7 @@
-//! The texts of a new formula, and the lines that others get for it.
+//! The texts of a new formula, and the lines added to other files.
 
-/// A template with its places filled, in the manner of the neighbours: whether they are in the crate of the toolkit, and
-/// whether their evidence is behind a feature.
+/// A template with its placeholders filled, in the style of the neighbours: whether they are in the crate of the
+/// toolkit, and whether their evidence is behind a feature.
 pub(super) fn filled(template: &str, family: &str, name: &str, neighbours: &str) -> String {
     const GATE: &str = "#[cfg(feature = \"verify\")]\n";
     let library = if neighbours.contains("use crate::formula::") { "crate" } else { "jointproof" };
@@ -19,7 +19,7 @@ pub(super) fn type_name(name: &str) -> String {
     name.split('_').map(capital).collect::<Vec<String>>().concat()
 }
 
-/// A room with a module more, and what it exports.
+/// A family module with one more submodule and its exports.
 pub(super) fn with_module(room: &str, name: &str) -> Option<String> {
     let type_name = type_name(name);
     let module = format!("mod {name};\n");
@@ -38,7 +38,7 @@ pub(super) fn with_module(room: &str, name: &str) -> Option<String> {
     }
 }
 
-/// A catalog with a formula more, behind the last one of its family.
+/// A catalog with one more formula, after the last one of its family.
 pub(super) fn with_entry(catalog: &str, family: &str, type_name: &str) -> Option<String> {
     let start = catalog.find("static CATALOG")?;
     let end = start + catalog[start..].find("];")?;
@@ -47,14 +47,14 @@ pub(super) fn with_entry(catalog: &str, family: &str, type_name: &str) -> Option
     Some(inserted(catalog, after, &format!(",\n    &{family}::{type_name}")))
 }
 
-/// A chapter with an entry behind the one on this line, counted from 1.
+/// A chapter with an entry after the one on this line, counted from 1.
 pub(super) fn with_directive(chapter: &str, line: usize, id: &str) -> String {
     let at: usize = chapter.split_inclusive('\n').take(line).map(str::len).sum();
     let end = if chapter[..at].ends_with('\n') { "" } else { "\n" };
     inserted(chapter, at, &format!("{end}\n{{{{#formula {id}}}}}\n"))
 }
 
-/// Where the first line of this sort begins.
+/// The offset of the first line that satisfies a condition.
 fn offset(text: &str, is_it: impl Fn(&str) -> bool) -> Option<usize> {
     let mut at = 0;
     for line in text.split_inclusive('\n') {
@@ -66,7 +66,7 @@ fn offset(text: &str, is_it: impl Fn(&str) -> bool) -> Option<usize> {
     None
 }
 
-/// Where the attributes begin that stand above the line at `at`.
+/// The offset of the attributes above the line at `at`.
 fn before_attributes(text: &str, at: usize) -> usize {
     let lines = text[..at].split_inclusive('\n').rev();
     at - lines.take_while(|line| line.starts_with("#[") || line.starts_with("///")).map(str::len).sum::<usize>()

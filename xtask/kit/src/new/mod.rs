@@ -1,4 +1,4 @@
-//! `new`: the skeleton of a formula, in the places where its neighbours are.
+//! `new`: the skeleton of a formula, placed next to its neighbours.
 
 mod edit;
 
@@ -34,7 +34,7 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     let id = arguments.id.as_str();
     let (family, name) = split(project, id)?;
     let mut report = String::new();
-    // All of it is known before any of it is written.
+    // All changes are determined before any of them is written.
     for (path, text) in changes(project, family, name)? {
         let is_new = !path.exists();
         files::write(&path, &text)?;
@@ -96,7 +96,7 @@ fn changes(project: &Project, family: &str, name: &str) -> anyhow::Result<Vec<Ch
         let text = edit::with_directive(&read(&path)?, line, &format!("{family}.{name}"));
         changes.push((path, text));
     }
-    // Where the addresses of the book are listed, a new one is given out.
+    // If the book has a list of permanent addresses, one is added.
     let permalinks = project.root().join(PERMALINKS);
     if permalinks.exists() {
         let text = read(&permalinks)?;
@@ -117,14 +117,14 @@ fn room(source: &Path, family: &str) -> anyhow::Result<Option<PathBuf>> {
     Ok(rooms.find(|room| room.exists()))
 }
 
-/// The file that has the catalog.
+/// The file that contains the catalog.
 fn catalog(source: &Path) -> anyhow::Result<PathBuf> {
     let candidates = ["catalog.rs", "lib.rs", "main.rs"].map(|name| source.join(name));
     let has_catalog = |path: &&PathBuf| read(path).is_ok_and(|text| text.contains("static CATALOG"));
     candidates.iter().find(has_catalog).cloned().context("no `static CATALOG` in src/catalog.rs, lib.rs or main.rs")
 }
 
-/// The last entry in the chapter that has most of the family, after which the new one belongs.
+/// The last entry in the chapter that contains most of the family, after which the new one belongs.
 fn chapter(project: &Project, family: &str) -> anyhow::Result<Option<Directive>> {
     if !project.has_book() {
         return Ok(None);
@@ -140,7 +140,7 @@ fn read(path: &Path) -> anyhow::Result<String> {
     std::fs::read_to_string(path).with_context(|| format!("cannot read {}", path.display()))
 }
 
-/// The text of a file, or of all below a folder.
+/// The text of a file, or of all files below a folder.
 fn read_all(path: &Path) -> anyhow::Result<String> {
     if !path.is_dir() {
         return if path.exists() { read(path) } else { Ok(String::new()) };

@@ -1,34 +1,34 @@
-//! `--against`: what became slower or less accurate beyond the noise.
+//! `--against`: finds what became slower or less accurate beyond the noise.
 //!
-//! Times of two runs differ as a whole when the machine was busier, or is another one. That drift is the median, over
-//! all formulas, of what became of the copying and of the yardstick, which contain none of the code compared; the old
-//! times are multiplied by it. What then differs by more than both spreads, and by more than a tenth, is a change.
+//! Times of two runs differ as a whole if the machine was busier, or is another one. This drift is the median, over all formulas,
+//! of the ratios for copying and for the yardstick, which contain none of the code compared; the old times are multiplied by it.
+//! A remaining difference of more than both spreads, and of more than a tenth, is a change.
 //!
-//! Errors are exact figures of fixed points, so they are compared as they are where both runs had the same points, and
-//! otherwise by medians only, with a factor of two for the different points.
+//! Errors are exact results for fixed points, so they are compared directly if both runs had the same points, and otherwise by
+//! medians only, with a factor of two for the different points.
 
 use super::data::Report;
 use super::tables::duration;
 use crate::console::{bold, figure, green, red};
 use jointproof::toolkit::measure::{Errors, Figures, Measurement, Time, WayFigures};
 
-/// What two reports differ by.
+/// The differences of two reports.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Comparison {
-    /// New times of what did not change, in units of the old.
+    /// The ratio of new to old times of code that did not change.
     pub(crate) drift: f64,
-    /// Formulas that are in both.
+    /// Formulas in both reports.
     pub(crate) formulas: usize,
     /// What became worse.
     pub(crate) changes: Vec<Change>,
-    /// What stands in the way of a full comparison.
+    /// Obstacles to a full comparison.
     pub(crate) notes: Vec<String>,
 }
 
-/// One figure that became worse.
+/// One result that became worse.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Change {
-    /// The formula, the way, and what of it.
+    /// The formula, the method, and the quantity.
     pub(crate) what: String,
     /// `slower`, `less accurate`, `fails at more points`, `missing`.
     pub(crate) how: &'static str,
@@ -42,14 +42,14 @@ impl Change {
     }
 }
 
-/// A change of less than this is none.
+/// Relative changes below this are ignored.
 const LEAST: f64 = 1.1;
-/// A time within this of another is the same: a cycle or two.
+/// Time differences below this are ignored: a cycle or two.
 const LEAST_NS: f64 = 0.5;
-/// η within this of another is the same.
+/// Differences of η below this are ignored.
 const LEAST_ETA: f64 = 0.05;
 
-/// Compares, as far as formulas were asked for.
+/// Compares the selected formulas.
 pub(crate) fn compare(old: &Report, new: &Report, is_asked: impl Fn(&str) -> bool) -> Comparison {
     let pairs: Vec<_> = new.formulas.iter().filter_map(|now| Some((old.formula(&now.formula)?, now))).collect();
     let mut notes = Vec::new();
@@ -207,7 +207,7 @@ mod tests {
         }
     }
 
-    /// One disturbed yardstick of four, the first, is not how much slower the machine is.
+    /// A disturbance of one yardstick of four, the first, is not taken for a slower machine.
     #[test]
     fn the_drift_is_the_median_however_ratios_follow_each_other() {
         let (old, mut new) = (report(1.0), report(2.0));
@@ -217,12 +217,12 @@ mod tests {
         assert_eq!(against(&old, &new).drift, 2.0);
     }
 
-    /// The comparison of reports on everything.
+    /// The comparison of complete reports.
     fn against(old: &Report, new: &Report) -> Comparison {
         compare(old, new, |_| true)
     }
 
-    /// The changes between a report and one that was tampered with.
+    /// The changes between a report and an altered copy.
     fn changes(tamper: impl FnOnce(&mut Report)) -> Vec<(String, &'static str)> {
         let mut new = report(1.0);
         tamper(&mut new);
@@ -303,7 +303,7 @@ mod tests {
         assert_eq!(compare(&report(1.0), &new, |id| id == "t.second").changes, []);
     }
 
-    /// Drift is what most of what did not change did; one that was disturbed does not count, on either side.
+    /// The drift is the median over unchanged code; a single disturbed ratio does not count, in either direction.
     #[test]
     fn drift_is_the_median() {
         for (outlier, scale) in [(0.1, 1.7), (20.0, 1.7), (0.1, 1.0), (20.0, 1.0)] {
@@ -326,7 +326,7 @@ mod tests {
         assert_eq!((comparison.drift, comparison.notes.len()), (1.0, 1));
     }
 
-    /// A time is slower beyond the spread, a tenth and half a nanosecond, all of them, and not at the limit itself.
+    /// A time is slower if it exceeds the spread, a tenth and half a nanosecond, all of them; at the limit itself it is not.
     #[test]
     fn slower_is_beyond_every_limit() {
         let exactly = |median| Time { median, low: median, high: median };
@@ -339,7 +339,7 @@ mod tests {
             [(9.0, 10.0, 12.0), (12.0, 20.0, 21.0)].map(|(low, median, high)| Time { median, low, high });
         assert!(!slower(before, now, 1.0), "the spreads touch each other");
         assert!(slower(before, Time { low: 12.5, ..now }, 1.0));
-        // The spread is on the slower machine what it was there.
+        // The spread is scaled to the slower machine.
         let [wide, far] =
             [(20.0, 30.0, 31.0), (25.0, 30.0, 31.0)].map(|(low, median, high)| Time { median, low, high });
         assert_eq!([wide, far].map(|now| slower(before, now, 2.0)), [false, true]);
@@ -351,7 +351,7 @@ mod tests {
         let of =
             |median, p99, max| Errors { points: 9, not_finite: 0, eta: Quantiles { median, p99, max }, relative: 0.0 };
         let found = |before, now, same_points| errors("it", &before, &now, same_points).map(|change| change.figures);
-        // The largest before and now.
+        // The largest errors before and now.
         for (before, now, is_worse) in [
             (0.0, LEAST_ETA, false),
             (0.0, 0.0625, true),
@@ -363,7 +363,7 @@ mod tests {
             let found = found(of(0.0, 0.0, before), of(0.0, 0.0, now), true);
             assert_eq!(found.is_some(), is_worse, "{before} {now}: {found:?}");
         }
-        // At other points the medians alone, and twice as much is chance.
+        // At other points only medians are compared, and a factor of two counts as chance.
         let before = of(0.25, 0.5, 0.75);
         for (now, expected) in [
             (of(0.5, 0.5, 0.75), None),
@@ -372,7 +372,7 @@ mod tests {
         ] {
             assert_eq!(found(before, now, false).as_deref(), expected);
         }
-        // The first that is worse is told.
+        // The first quantity that is worse is reported.
         assert_eq!(found(before, of(0.25, 1.5, 9.5), true).as_deref(), Some("η 99 % 0.50 → 1.50"));
         let failing = |not_finite| Errors { not_finite, ..before };
         assert_eq!(found(failing(1), failing(3), true).as_deref(), Some("1 → 3"));

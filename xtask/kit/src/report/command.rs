@@ -1,4 +1,4 @@
-//! `report`: its arguments, and what it prints, writes and keeps.
+//! `report`: its arguments and its output, and the files it keeps.
 
 use super::data::Report;
 use super::measuring::{self, OPTIMISED};
@@ -76,7 +76,7 @@ enum Format {
 }
 
 impl Arguments {
-    /// How much to measure.
+    /// The extent of the measurements.
     fn options(&self) -> Options {
         let options = if self.quick { Options::quick() } else { Options::full() };
         Options {
@@ -122,7 +122,7 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     Ok(verdict(!worse))
 }
 
-/// Keeps a report on everything for the book here, and in the repository if it is to be the reference.
+/// Keeps a complete report for the book here, and in the repository if it is to be the reference.
 fn keep(project: &Project, report: &Report, is_reference: bool) -> anyhow::Result<()> {
     say(&format!("kept for the book in {}", project.shown(&report.keep(project)?)));
     if is_reference {
@@ -131,7 +131,7 @@ fn keep(project: &Project, report: &Report, is_reference: bool) -> anyhow::Resul
     Ok(())
 }
 
-/// Measures these formulas, in a program that cargo builds in this profile.
+/// Measures these formulas with a program that cargo builds in this profile.
 pub(crate) fn measure(
     project: &Project,
     formulas: &[&dyn AnyFormula],
@@ -171,12 +171,12 @@ mod tests {
         assert_eq!(some, Options { random_points: 3, rounds: 4, column_bytes: 5, ..Options::full() });
     }
 
-    /// Nothing can be built here, so that only what is kept is there.
+    /// Nothing can be built here, so that only kept reports are available.
     #[test]
     fn what_is_kept_is_not_measured_anew_and_what_is_not_is_by_an_optimised_program() {
         let root = tempfile::tempdir().unwrap();
         let project = Project::new("anew", root.path().to_str().unwrap().to_owned().leak(), &[]);
-        // Under a target folder that is shared it outlives the test.
+        // In a shared target folder it outlives the test.
         let _ = std::fs::remove_file(project.kept("report.json"));
         let said = kept_or_quick(&project).unwrap_err().to_string();
         assert_eq!(said, "the measuring failed");

@@ -1,4 +1,4 @@
-//! A report: what was measured, where, when and with what.
+//! A report: the measurements, with place, time and tools.
 
 use crate::project::Project;
 use crate::{evidence, files};
@@ -47,7 +47,7 @@ pub(crate) struct Machine {
 }
 
 impl Report {
-    /// Made now, here.
+    /// A report made here and now.
     pub(super) fn new(project: &Project, build: Build, options: Options, formulas: Vec<Measurement>) -> Self {
         let (machine, sources) = (Machine::this(), sources(project));
         Self { version: VERSION, created: now(), sources, machine, build, options, formulas }
@@ -58,13 +58,13 @@ impl Report {
         self.formulas.iter().find(|measurement| measurement.formula == id)
     }
 
-    /// What it says of the formulas of a family, as `slider`.
+    /// The part of the report about a family, as `slider`.
     pub(crate) fn of_family(&self, family: &str) -> Self {
         let belongs = |measurement: &&Measurement| measurement.formula.split('.').next() == Some(family);
         Self { formulas: self.formulas.iter().filter(belongs).cloned().collect(), ..self.clone() }
     }
 
-    /// Whether it is about this very version of the code.
+    /// Whether it is about this version of the code.
     pub(crate) fn is_current(&self, project: &Project) -> bool {
         self.sources == sources(project)
     }
@@ -77,7 +77,7 @@ impl Report {
             .with_context(|| format!("{shown} is not a report; `report --format json` writes one"))
     }
 
-    /// The report kept for the book: of those about every formula the last one made here, or the reference.
+    /// The report kept for the book: the last one made here, or the reference, if it covers every formula.
     pub(crate) fn kept(project: &Project) -> Option<Self> {
         let is_whole = |report: &Self| project.catalog().iter().all(|one| report.formula(one.spec().id).is_some());
         [place(project), reference(project)].iter().filter_map(|path| Self::read(path).ok()).find(is_whole)
@@ -90,7 +90,8 @@ impl Report {
         Ok(place)
     }
 
-    /// What the book shows and `--against` compares: no columns, no ratios, and of hard points the closed form's hardest.
+    /// The part shown in the book and compared by `--against`: no columns, no ratios, and of hard points only the
+    /// closed form's hardest.
     fn for_the_book(&self) -> Self {
         let mut report = self.clone();
         for measurement in &mut report.formulas {
@@ -106,7 +107,7 @@ impl Report {
         report
     }
 
-    /// Keeps of it as the reference what the book shows, a formula a line, in as many digits as tell something.
+    /// Saves the part shown in the book as the reference, one formula per line, with as many digits as are meaningful.
     pub(super) fn keep_as_reference(&self, project: &Project) -> anyhow::Result<PathBuf> {
         let (place, mut all) = (reference(project), serde_json::to_value(self.for_the_book())?);
         shorten(&mut all);
@@ -118,17 +119,17 @@ impl Report {
     }
 }
 
-/// Where the last report made here is.
+/// The file of the last report made here.
 fn place(project: &Project) -> PathBuf {
     project.kept("report.json")
 }
 
-/// Where the report is that the book shows on a machine where none was made.
+/// The file of the report that the book shows on a machine where none was made.
 fn reference(project: &Project) -> PathBuf {
     project.root().join("book/report.json")
 }
 
-/// Four digits of every number: no time is repeated to more.
+/// Rounds every number to four digits: no time is reproducible to more.
 fn shorten(value: &mut Value) {
     match value {
         Value::Number(number) if number.is_f64() => {
@@ -163,7 +164,7 @@ fn now() -> String {
     utc(seconds)
 }
 
-/// Seconds since 1970 as a date, by counting years of 366 or 365 days from there.
+/// Converts seconds since 1970 to a date, by counting years of 366 or 365 days.
 fn utc(seconds: u64) -> String {
     let leap = |year: u64| year.is_multiple_of(4) && (!year.is_multiple_of(100) || year.is_multiple_of(400));
     let (mut year, mut day) = (1970, seconds / 86400);
@@ -191,7 +192,7 @@ mod tests {
     fn the_reference_is_shown_where_nothing_was_measured() {
         let root = tempfile::tempdir().unwrap();
         let project = Project::new("referred", root.path().to_str().unwrap().to_owned().leak(), &[]);
-        // Under a target folder that is shared it outlives the test.
+        // In a shared target folder it outlives the test.
         let _ = std::fs::remove_file(place(&project));
         assert_eq!(Report::kept(&project), None);
         let report = crate::sample::report();
@@ -202,7 +203,7 @@ mod tests {
         let mut short = serde_json::to_value(report.for_the_book()).unwrap();
         shorten(&mut short);
         assert_eq!(serde_json::to_value(&reference).unwrap(), short);
-        // What was measured here counts more.
+        // A measurement made here takes precedence.
         let here = Report { created: "later".into(), ..report };
         here.keep(&project).unwrap();
         assert_eq!(Report::kept(&project), Some(here));

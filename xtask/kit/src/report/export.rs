@@ -1,4 +1,4 @@
-//! For programs in other languages: the points over which time is taken, and the times here.
+//! Exports for programs in other languages: the points used for timing, and the times here.
 
 use super::data::{Machine, Report};
 use crate::console::{count, say};
@@ -12,7 +12,7 @@ use serde::Serialize;
 use std::collections::BTreeMap;
 use std::path::Path;
 
-/// What a file of points holds.
+/// The description of a file of points.
 #[derive(Serialize)]
 struct Description {
     formula: &'static str,
@@ -20,9 +20,9 @@ struct Description {
     file: String,
     /// How to read it.
     layout: &'static str,
-    /// Points in it.
+    /// The number of points.
     count: usize,
-    /// Doubles a point.
+    /// Doubles per point.
     stride: usize,
     seed: u64,
     inputs: Vec<FieldDescription>,
@@ -76,19 +76,19 @@ struct Timing<'a> {
     created: &'a str,
     machine: &'a Machine,
     build: &'a Build,
-    /// The points are those that `--inputs` writes.
+    /// The number of points, which are those written by `--inputs`.
     points: usize,
     seed: u64,
     formulas: BTreeMap<&'a str, Nanoseconds<'a>>,
 }
 
-/// Nanoseconds an evaluation: the median, and between what values four of five rounds were.
+/// Nanoseconds per evaluation: the median, and the interval that contains four of five rounds.
 #[derive(Serialize)]
 struct Nanoseconds<'a> {
     value: Option<Time>,
     value_and_jacobian: Option<Time>,
     copy: Option<Time>,
-    /// Value with Jacobian at one hard point alone, by the name of the case.
+    /// Value with Jacobian at a single hard point, by the name of the case.
     hard: BTreeMap<&'a str, Time>,
 }
 

@@ -1,4 +1,4 @@
-//! Has the measuring program built and run, and follows it.
+//! Builds the measuring program, runs it, and follows its events.
 
 use crate::console::progress;
 use crate::outcome::Usage;
@@ -11,10 +11,10 @@ use std::io::{BufRead, BufReader, IsTerminal};
 use std::path::PathBuf;
 use std::process::{Command, Stdio};
 
-/// The profile of cargo that the measuring program is built in unless something else is asked for.
+/// The default cargo profile for the measuring program.
 pub(crate) const OPTIMISED: &str = "release";
 
-/// What the measuring program was, built in this profile, and what it found.
+/// Builds the measuring program in this profile; returns its build and its measurements.
 pub(super) fn run(
     project: &Project,
     formulas: Vec<String>,
@@ -28,7 +28,7 @@ pub(super) fn run(
     Ok((record.build.context("the measuring program did not say how it was built")?, record.measured))
 }
 
-/// What was said so far.
+/// The events so far.
 struct Record {
     build: Option<Build>,
     measured: Vec<Measurement>,
@@ -40,7 +40,7 @@ impl Record {
         match event {
             Event::Begun(build) => {
                 self.build = Some(build);
-                // What it took to compile says nothing about the rest.
+                // The time of compilation tells nothing about the rest.
                 self.bar.reset();
             }
             Event::Compared(formula) => self.step(format!("errors of {formula}")),
@@ -58,10 +58,10 @@ impl Record {
     }
 }
 
-/// Builds the measuring program in a profile of cargo, by the same cargo, and asks it.
+/// Builds the measuring program in a cargo profile, with the same cargo, and sends it the request.
 ///
-/// It runs as a copy, whose pages lie side by side in memory. Those of what a linker has written may lie anywhere, and then
-/// a formula whose code nearly fills the cache of instructions may take one and a half times as long until it is built again.
+/// It runs as a copy, whose pages are contiguous in memory. Those of a file written by a linker may be anywhere, in which case a
+/// formula whose code nearly fills the instruction cache may take one and a half times as long until the next build.
 fn ask(project: &Project, request: &Request, profile: &str, record: &mut Record) -> anyhow::Result<()> {
     let built = build(project, profile)?;
     let folder = tempfile::tempdir_in(built.parent().context("it is a file")?)?;
@@ -72,7 +72,7 @@ fn ask(project: &Project, request: &Request, profile: &str, record: &mut Record)
         .stdout(Stdio::piped())
         .spawn()
         .with_context(|| format!("cannot run {}", copy.display()))?;
-    // The end of the pipe must be dropped, so that the program sees the end of the request.
+    // The pipe must be dropped, so that the program sees the end of the request.
     serde_json::to_writer(child.stdin.take().context("the measuring program takes no input")?, request)?;
     let out = child.stdout.take().context("the measuring program has no output")?;
     for line in BufReader::new(out).lines() {
@@ -85,7 +85,7 @@ fn ask(project: &Project, request: &Request, profile: &str, record: &mut Record)
     Ok(())
 }
 
-/// The program that was built.
+/// The path of the built program.
 fn build(project: &Project, profile: &str) -> anyhow::Result<PathBuf> {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let manifest = project.measured();
@@ -94,7 +94,7 @@ fn build(project: &Project, profile: &str) -> anyhow::Result<PathBuf> {
         .args(["build", "--profile", profile, "--bins", "--manifest-path"])
         .arg(&manifest)
         .args(["--message-format", "json-render-diagnostics"])
-        // Compiling takes a while the first time; somebody who watches should see that.
+        // Compiling takes a while the first time, which users at a terminal should see.
         .args((!std::io::stderr().is_terminal()).then_some("--quiet"))
         .stdin(Stdio::null())
         .stdout(Stdio::piped())
@@ -114,7 +114,7 @@ fn build(project: &Project, profile: &str) -> anyhow::Result<PathBuf> {
     built.with_context(|| format!("cargo did not say where it built the program of {}", manifest.display()))
 }
 
-/// Where a program is, if this line of cargo's says so.
+/// The path of the program, if this line of cargo's output contains it.
 fn executable(line: &str) -> Option<PathBuf> {
     let message: serde_json::Value = serde_json::from_str(line).ok()?;
     message["executable"].as_str().map(PathBuf::from)

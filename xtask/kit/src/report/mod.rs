@@ -1,4 +1,4 @@
-//! `report`: how fast and how wrong every way to compute every formula is.
+//! `report`: the speed and the error of every method of computing every formula.
 
 pub(crate) mod against;
 mod command;

@@ -1,9 +1,9 @@
-//! Which ways are not beaten: no other is both faster and more accurate.
+//! The Pareto-optimal methods: no other is both faster and more accurate.
 
-/// The indices of the points that no other point beats, from the fastest to the most accurate.
+/// The indices of the Pareto-optimal points, from the fastest to the most accurate.
 ///
-/// A point is (time, error), less being better. One that is as good in one respect and worse in the other is beaten; of
-/// two equal points the first stays.
+/// A point is (time, error), less being better. A point that is equal in one respect and worse in the other is
+/// dominated; of two equal points the first is kept.
 pub(crate) fn front(points: &[(f64, f64)]) -> Vec<usize> {
     let mut order: Vec<_> = (0..points.len()).collect();
     let key = |k: usize| points[k];

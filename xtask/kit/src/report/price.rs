@@ -1,13 +1,13 @@
-//! What checks cost, and what the hardest points do.
+//! The cost of checks, and of the hardest points.
 
 use super::data::Report;
 use crate::console::figure;
 use jointproof::toolkit::measure::{Measurement, PointTime};
 
-/// What is said to hold of every formula: time at the hardest ordinary point, in units of that at random ones.
+/// The bound claimed for every formula: time at the hardest ordinary point, relative to that at random ones.
 pub(crate) const HARDEST: f64 = 10.0;
 
-/// Time of the checked value and Jacobian in units of the unchecked.
+/// Time of the checked value and Jacobian relative to the unchecked.
 pub(crate) fn of_checks(measurement: &Measurement) -> Option<f64> {
     let time = |id| Some(measurement.way(id)?.jacobian.as_ref()?.time?.median);
     Some(time("checked")? / time("closed")?)
@@ -21,7 +21,7 @@ pub(crate) fn hardest(measurement: &Measurement) -> Option<(&'static str, &Point
     points.max_by(|a, b| a.1.ratio.median.total_cmp(&b.1.ratio.median))
 }
 
-/// What is said of one formula.
+/// The sentence about one formula.
 pub(crate) fn said(measurement: &Measurement) -> Option<String> {
     let checks = of_checks(measurement)?;
     let hardest = hardest(measurement).map_or(String::new(), |(part, point)| {
@@ -34,7 +34,7 @@ pub(crate) fn said(measurement: &Measurement) -> Option<String> {
     Some(format!("checked, value and Jacobian take {checks:.2} times as long{hardest}"))
 }
 
-/// What is said of all.
+/// The sentence about all formulas.
 pub(crate) fn summary(report: &Report) -> Option<String> {
     let mut checks: Vec<_> = report.formulas.iter().filter_map(|one| Some((of_checks(one)?, one))).collect();
     checks.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -58,7 +58,7 @@ pub(crate) fn summary(report: &Report) -> Option<String> {
 mod tests {
     use super::*;
 
-    /// A report whose closed form of the first formula takes so many times as long at its ordinary hard point.
+    /// A report in which the closed form of the first formula takes this many times as long at its ordinary hard point.
     fn with(value: f64, jacobian: f64) -> Report {
         let mut report = crate::sample::report();
         let closed = &mut report.formulas[0].ways[0];
@@ -110,7 +110,7 @@ mod tests {
         assert!(summary(&both).unwrap().ends_with("t.first at near (20.00), t.first at near (20.00)."));
     }
 
-    /// 2 and 8 are 4 in the geometric mean.
+    /// The geometric mean of 2 and 8 is 4.
     #[test]
     fn the_price_of_checks_is_a_mean_and_the_worst() {
         let mut report = crate::sample::report();

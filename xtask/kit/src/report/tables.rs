@@ -7,7 +7,7 @@ use crate::console::{bold, figure, green, red};
 use jointproof::toolkit::measure::{Columns, Errors, Measurement, Time, WayFigures};
 use std::fmt::Write;
 
-/// Nanoseconds in three digits, with the unit that suits them.
+/// Nanoseconds with three digits, in a suitable unit.
 pub(crate) fn duration(nanoseconds: f64) -> String {
     let (number, unit) = match nanoseconds {
         t if t < 1e3 => (t, "ns"),
@@ -22,13 +22,13 @@ pub(crate) fn duration(nanoseconds: f64) -> String {
     format!("{number:.digits$} {unit}")
 }
 
-/// By how much four of five rounds were off the median, in percent.
+/// The deviation of four of five rounds from the median, in percent.
 pub(crate) fn spread(time: Time) -> String {
     let off = (time.high - time.median).max(time.median - time.low);
     format!("±{:.0}%", 100.0 * off / time.median)
 }
 
-/// The largest error, and at how many points there was none to tell.
+/// The largest error, and the number of points without one.
 pub(crate) fn worst(errors: Option<Errors>) -> String {
     match errors {
         None => "–".into(),
@@ -38,12 +38,12 @@ pub(crate) fn worst(errors: Option<Errors>) -> String {
     }
 }
 
-/// The step of differences, as it is appended to their name.
+/// The step of differences, as appended to their name.
 pub(crate) fn step(way: &WayFigures) -> String {
     way.step.map_or(String::new(), |step| format!(", step {}", figure(step)))
 }
 
-/// The cells of a way: value, value and Jacobian, its spread, ratio, errors of the value and of the Jacobian.
+/// The cells of a method: value, value and Jacobian, its spread, ratio, errors of the value and of the Jacobian.
 fn cells(way: &WayFigures) -> [String; 11] {
     let time = |time: Option<Time>| time.map_or("–".into(), |time| duration(time.median));
     let value = way.value.as_ref();
@@ -118,7 +118,7 @@ pub(super) fn text(report: &Report) -> anyhow::Result<String> {
     Ok(text)
 }
 
-/// What many points at once take.
+/// The times for batches of points.
 fn many(columns: &Columns) -> String {
     let Columns { rows, bytes, threads, looped, one_thread, all_threads, .. } = columns;
     format!(
@@ -134,7 +134,7 @@ fn many(columns: &Columns) -> String {
     )
 }
 
-/// What the columns mean, and where the figures are from.
+/// The meaning of the columns, and the origin of the numbers.
 fn footer(report: &Report) -> String {
     let Report { created, machine, build, options, .. } = report;
     let flags = if build.flags.is_empty() { "default flags" } else { &build.flags };
@@ -184,7 +184,7 @@ mod tests {
     fn durations_have_three_digits_and_a_fitting_unit() {
         let shown = [0.5124, 9.99, 12.34, 456.7, 1e3, 1234.0, 1e6, 2.5e7].map(duration);
         assert_eq!(shown, ["0.51 ns", "9.99 ns", "12.3 ns", "457 ns", "1.00 µs", "1.23 µs", "1.00 ms", "25.0 ms"]);
-        // What would be rounded to four digits.
+        // Numbers that would round to four digits.
         let shown = [9.995, 10.5, 99.94, 99.95, 100.4].map(duration);
         assert_eq!(shown, ["10.0 ns", "10.5 ns", "99.9 ns", "100 ns", "100 ns"]);
     }

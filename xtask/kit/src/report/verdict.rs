@@ -2,41 +2,41 @@
 
 use jointproof::toolkit::measure::{Figures, Measurement, Time};
 
-/// What a run says about the claim.
+/// A run's verdict on the claim.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Verdict {
-    /// Time of automatic differentiation in units of the closed form's.
+    /// Time of automatic differentiation relative to the closed form.
     pub(crate) speedup: f64,
-    /// What holds of the speed.
+    /// The verdict on speed.
     pub(crate) speed: Speed,
     /// Whether the closed form is at least as accurate.
     pub(crate) accurate: bool,
-    /// Greatest η of the closed form and of automatic differentiation, at random and hard points.
+    /// Largest η of the closed form and of automatic differentiation, at random and hard points.
     pub(crate) eta: [f64; 2],
 }
 
-/// Which one is faster, the closed form or automatic differentiation.
+/// Which is faster, the closed form or automatic differentiation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Speed {
     /// The closed form, beyond the spread of both or by a quarter.
     Faster,
-    /// Neither, within the spread of both, or within a nanosecond, which is what the loop round them takes.
+    /// Neither, within the spread of both, or within a nanosecond, which is the cost of the loop around them.
     Same,
     /// Automatic differentiation, beyond the spread of both or by a quarter.
     Slower,
 }
 
-/// A median that is so many times another is no chance, whatever the spread.
+/// A median that is larger by this factor is no chance, whatever the spread.
 const CLEARLY: f64 = 1.25;
 
-/// η that two correct roundings of one number can differ by.
+/// The difference of η that two correct roundings of one number can have.
 const ROUNDING: f64 = 0.5;
 
-/// η that a few roundings make.
+/// The η of a few roundings.
 const FEW: f64 = 8.0;
 
 impl Verdict {
-    /// Of a complete measurement.
+    /// The verdict on a complete measurement.
     pub(crate) fn of(measurement: &Measurement) -> Option<Self> {
         let jacobian = |id| measurement.way(id)?.jacobian.as_ref();
         let (closed, ad) = (jacobian("closed")?, jacobian("ad")?);
@@ -62,7 +62,7 @@ impl Verdict {
         }
     }
 
-    /// Why the claim does not hold; empty where it does.
+    /// Why the claim does not hold; empty if it does.
     pub(crate) fn exception(&self) -> String {
         let speed = match self.speed {
             Speed::Faster => None,
@@ -130,12 +130,12 @@ mod tests {
         assert_eq!([speed(long, short), speed(longer, short)], [Speed::Same, Speed::Slower]);
         assert_eq!(speed(time(1.4, 1.4, 1.4), time(0.7, 0.7, 0.7)), Speed::Same, "less than a nanosecond apart");
         assert_eq!(speed(time(4.0, 4.0, 4.0), time(5.0, 5.0, 5.0)), Speed::Faster, "a nanosecond apart");
-        // Spreads that touch each other, and a quarter to the last bit.
+        // Touching spreads, and a quarter to the last bit.
         assert_eq!(speed(time(90.0, 100.0, 104.0), time(104.0, 105.0, 106.0)), Speed::Same);
         assert_eq!(speed(time(10.0, 20.0, 40.0), time(10.0, 25.0, 40.0)), Speed::Same);
     }
 
-    /// Of a measurement whose closed form and automatic differentiation are changed.
+    /// The verdict on a measurement with altered closed form and automatic differentiation.
     fn of(tamper: impl FnOnce(&mut Figures, &mut Figures)) -> Verdict {
         let mut measurement = crate::sample::measurement("t.first", 1.0);
         let [closed, _, _, ad, ..] = measurement.ways.as_mut_slice() else { panic!("there are seven ways") };

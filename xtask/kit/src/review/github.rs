@@ -1,13 +1,13 @@
-//! Workflow commands of GitHub: they need no token, and work on forks.
+//! GitHub workflow commands: they need no token, and work on forks.
 
 use super::Finding;
 use anyhow::Context;
 use std::io::Write;
 
-/// A step shows no more errors than this.
+/// The largest number of errors that a step shows.
 const MOST: usize = 10;
 
-/// A line a finding, the last one for all that a step would not show.
+/// One line per finding; the last line summarises all that a step would not show.
 pub(crate) fn annotations(findings: &[Finding]) -> String {
     let shown = if findings.len() > MOST { MOST - 1 } else { findings.len() };
     let mut lines: Vec<_> = findings[..shown].iter().map(annotation).collect();

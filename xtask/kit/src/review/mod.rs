@@ -1,4 +1,4 @@
-//! What is off, in the formats that reviewers' tools read. No finding is without a place.
+//! Findings in the formats that reviewers' tools read. Every finding has a location.
 
 mod github;
 mod place;
@@ -10,20 +10,20 @@ pub(crate) use place::{Place, of_claim};
 pub(crate) use rdjson::rdjson;
 pub(crate) use sarif::sarif;
 
-/// Something that is off.
+/// A failed claim.
 #[derive(Clone, Debug)]
 pub(crate) struct Finding {
     /// The identifier of the formula.
     pub(crate) formula: String,
-    /// What does not hold, in a few words.
+    /// The claim that fails, in a few words.
     pub(crate) claim: String,
-    /// What was found, where, and how it can be looked at again.
+    /// The deviation, its point, and how to reproduce it.
     pub(crate) message: String,
-    /// Where it stands in the sources.
+    /// Its location in the sources.
     pub(crate) place: Place,
 }
 
-/// A claim as an identifier: small letters, digits and `-`.
+/// A claim as an identifier: lower-case letters, digits and `-`.
 fn slug(claim: &str) -> String {
     let words = claim.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
     words.map(str::to_lowercase).collect::<Vec<_>>().join("-")

@@ -1,4 +1,4 @@
-//! Where in the sources a claim about a formula stands.
+//! The location in the sources of a claim about a formula.
 
 use crate::book::{CodeSpan, functions};
 use crate::project::Project;
@@ -14,8 +14,8 @@ pub(crate) struct Place {
     pub(crate) line: usize,
 }
 
-/// The function that a claim is about: `jacobian` for derivatives, else `eval`. A formula that a macro defines has the file of
-/// its module, and one whose sources are not here the manifest.
+/// The function that a claim is about: `jacobian` for derivatives, else `eval`. For a formula defined by a macro it is
+/// the file of its module, and for one whose sources are not here the manifest.
 pub(crate) fn of_claim(project: &Project, formula: &dyn AnyFormula, claim: &str) -> anyhow::Result<Place> {
     let is_derivative = ["Jacobian", "closed form", "derivative"].iter().any(|word| claim.contains(word));
     let wanted = if is_derivative { "jacobian" } else { "eval" };
@@ -30,7 +30,7 @@ pub(crate) fn of_claim(project: &Project, formula: &dyn AnyFormula, claim: &str)
     Ok(Place { file: file.unwrap_or_else(|| "Cargo.toml".into()), line: 1 })
 }
 
-/// The line of `fn` behind documentation and attributes.
+/// The line of `fn` after documentation and attributes.
 fn head(project: &Project, file: &str, first: usize, last: usize) -> usize {
     let text = std::fs::read_to_string(project.root().join(Path::new(file))).unwrap_or_default();
     let lines = text.lines().enumerate().skip(first - 1).take(last + 1 - first);
@@ -51,11 +51,11 @@ mod tests {
         let project = Project::new("head", env!("CARGO_MANIFEST_DIR"), &[]).in_folder(root.path().to_str().unwrap());
         let of = |first, last| head(&project, "a.rs", first, last);
         assert_eq!([of(1, 1), of(2, 5), of(3, 4), of(4, 5), of(7, 7)], [1, 4, 4, 4, 7]);
-        // Where there is none, the first line.
+        // If there is none, the first line.
         assert_eq!([of(2, 3), of(5, 6), head(&project, "none.rs", 8, 9)], [2, 5, 8]);
     }
 
-    /// Without the wanted function it is the first that is there, without any the module, and without that the manifest.
+    /// Without the wanted function it is the first function found, without any the module, and without that the manifest.
     #[test]
     fn a_claim_stands_at_the_nearest_place_that_there_is() {
         use jointproof::connector::slot::ContactForce;

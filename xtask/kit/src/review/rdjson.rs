@@ -1,4 +1,4 @@
-//! RDFormat, which `reviewdog` takes to GitLab, Gerrit and Gitea.
+//! RDFormat, which `reviewdog` forwards to GitLab, Gerrit and Gitea.
 
 use super::{Finding, slug};
 use serde_json::{Value, json};

@@ -1,10 +1,10 @@
-//! SARIF 2.1.0. A result without a location would make a whole upload fail.
+//! SARIF 2.1.0. A result without a location makes the whole upload fail.
 
 use super::{Finding, slug};
 use crate::files::short_digest;
 use serde_json::{Value, json};
 
-/// One run with every finding; without any, what was shown before is taken away.
+/// One run with every finding; a run without findings clears those shown before.
 pub(crate) fn sarif(findings: &[Finding]) -> anyhow::Result<String> {
     let mut claims: Vec<&str> = findings.iter().map(|finding| finding.claim.as_str()).collect();
     claims.sort_unstable();
@@ -38,7 +38,7 @@ pub(crate) fn sarif(findings: &[Finding]) -> anyhow::Result<String> {
     }))?)
 }
 
-/// By which a finding is known again when lines have moved.
+/// Identifies a finding even if lines have moved.
 fn fingerprint(formula: &str, claim: &str) -> String {
     short_digest(format!("{formula}\n{claim}"))
 }

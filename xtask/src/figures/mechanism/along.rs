@@ -1,4 +1,4 @@
-//! What the mechanisms share: sliders and turned triads.
+//! Common parts of the mechanisms: sliders and rotated triads.
 
 use jointproof::element::cardan::{CardanAngles, Triads};
 use jointproof::formula::Formula;
@@ -7,10 +7,10 @@ use nalgebra::{Rotation3, Vector3};
 
 use crate::figures::sketch::Point;
 
-/// A slider from one value to another in so many steps.
+/// A slider from one value to another in `steps` steps.
 pub(super) struct Along {
     pub(super) label: &'static str,
-    /// What stands behind each value.
+    /// The unit written after each value.
     pub(super) unit: &'static str,
     pub(super) from: f64,
     pub(super) to: f64,
@@ -37,14 +37,14 @@ pub(super) fn moving(name: &str, sliders: &[Along; 2], draw: impl Fn(f64, f64) -
     Moving { name: name.into(), sliders: sliders.iter().map(Along::slider).collect(), frames }
 }
 
-/// The triad of b, turned against that of a by the Cardan angles, in degrees.
+/// The triad of b, rotated relative to that of a by the Cardan angles, in degrees.
 pub(super) fn turned(alpha: f64, beta: f64, gamma: f64) -> [Point; 3] {
     let about = |axis: Vector3<f64>, degrees: f64| Rotation3::new(axis * degrees.to_radians());
     let turn = about(Vector3::x(), alpha) * about(Vector3::y(), beta) * about(Vector3::z(), gamma);
     [Vector3::x(), Vector3::y(), Vector3::z()].map(|axis| turn * axis)
 }
 
-/// The angles that the formula finds between two triads, in degrees.
+/// The angles between two triads computed by the formula, in degrees.
 pub(super) fn angles(a: [Point; 3], b: [Point; 3]) -> [f64; 3] {
     let found = CardanAngles::eval(&Triads::new(a, b));
     [found.alpha, found.beta, found.gamma].map(|angle: f64| angle.to_degrees())

@@ -18,7 +18,7 @@ fn at(x: f64, y: f64) -> Point {
     Vector3::new(x, y, 0.0)
 }
 
-/// A block that is pushed along a surface: the friction force over the trial force.
+/// A block pushed along a surface: the friction force as a function of the trial force.
 pub(super) fn stick_and_slip() -> Moving {
     let trial = Along { label: "trial force", unit: "", from: -2.0, to: 2.0, steps: 20, start: 16 };
     let normal = Along { label: "F_N, normal force", unit: "", from: 0.0, to: 2.0, steps: 8, start: 6 };
@@ -60,7 +60,7 @@ pub(super) fn stick_and_slip() -> Moving {
     })
 }
 
-/// Two surfaces that come together: the pressure of each law.
+/// Two approaching surfaces: the pressure of each law.
 pub(super) fn pressure() -> Moving {
     let overclosure = Along { label: "h, overclosure", unit: "", from: -1.5, to: 1.0, steps: 20, start: 16 };
     let rate = Along { label: "v, closing rate", unit: "", from: -1.0, to: 1.0, steps: 8, start: 6 };
@@ -95,7 +95,7 @@ pub(super) fn pressure() -> Moving {
     })
 }
 
-/// An axisymmetric element under pressure: the torque that friction of coefficient 1 transmits.
+/// An axisymmetric element under pressure: the torque transmitted by friction with coefficient 1.
 pub(super) fn torque() -> Moving {
     let slope = Along { label: "pressure at the outer node", unit: "", from: 0.0, to: 2.0, steps: 10, start: 7 };
     let radius = Along { label: "radius of the inner node", unit: "", from: 0.5, to: 2.0, steps: 6, start: 2 };

@@ -1,4 +1,4 @@
-//! Turned triads: the Cardan angles, UNIVERSAL and UJOINT.
+//! Rotated triads: the Cardan angles, UNIVERSAL and UJOINT.
 
 use jointproof::connector::ujoint::{CrossAxes, CrossDirection, CrossLoads, Decomposition};
 use jointproof::connector::universal::{Angles, Constraint, Shafts};
@@ -13,7 +13,7 @@ fn degrees(label: &'static str, to: f64, start: usize) -> Along {
     Along { label, unit: "°", from: -to, to, steps: 12, start }
 }
 
-/// The triad of b, turned by the first two Cardan angles.
+/// The triad of b, rotated by the first two Cardan angles.
 pub(super) fn cardan() -> Moving {
     moving(
         "cardan-moving",
@@ -31,7 +31,7 @@ pub(super) fn cardan() -> Moving {
             let origin = Point::zeros();
             sketch.triad(origin, a, 1.0, "a", Ink::Solid);
             sketch.triad(origin, b, 1.0, "b", Ink::Accent);
-            // The path of e3b as β grows, at this α.
+            // The path of e3b as β grows, for this α.
             let arc: Vec<_> = (0..=24).map(|k| turned(alpha, beta * f64::from(k) / 24.0, 0.0)[2]).collect();
             sketch.path(&arc, Ink::Dashed);
             let arc: Vec<_> = (0..=24).map(|k| turned(alpha * f64::from(k) / 24.0, 0.0, 0.0)[2]).collect();
@@ -47,7 +47,7 @@ pub(super) fn cardan() -> Moving {
     )
 }
 
-/// Two shafts, their yokes in these inks, and the cross between them.
+/// Two shafts, their yokes drawn in these inks, and the cross between them.
 fn joint(sketch: &mut Sketch, a: [Point; 3], b: [Point; 3], inks: [Ink; 2]) {
     let origin = Point::zeros();
     let arm = 0.55;
@@ -73,12 +73,12 @@ fn joint(sketch: &mut Sketch, a: [Point; 3], b: [Point; 3], inks: [Ink; 2]) {
     sketch.label(b[2] * arm, [-34.0, 4.0], "*e_3b", Ink::Accent);
 }
 
-/// A sketch in which the shafts go from left to right.
+/// A sketch with horizontal shafts.
 fn lying(name: &'static str, title: &'static str, description: &'static str) -> Sketch {
     Sketch::new(name, title, description, View::lying(140.0, [280.0, 150.0]))
 }
 
-/// UNIVERSAL: two turns are free, the arms stay at right angles.
+/// UNIVERSAL: two rotations are free, and the arms stay at right angles.
 pub(super) fn universal() -> Moving {
     moving(
         "universal-moving",
@@ -104,10 +104,10 @@ pub(super) fn universal() -> Moving {
     )
 }
 
-/// How long a force of 1 is drawn.
+/// The length of an arrow for a force of 1.
 const SIZE: f64 = 0.9;
 
-/// UJOINT: what a force at the centre is along the arms and across them.
+/// UJOINT: the components of a force at the centre along the arms and perpendicular to them.
 pub(super) fn forces() -> Moving {
     let turn = Along { label: "direction of the force", unit: "°", from: 0.0, to: 180.0, steps: 12, start: 4 };
     moving("ujoint-moving", &[degrees("α, about the arm e1a", 48.0, 9), turn], |alpha, direction| {

@@ -20,7 +20,7 @@ pub(super) fn slider() -> Moving {
         let x1 = Vector3::new(0.0, 0.2, 0.3);
         let xn = Vector3::new(3.0, height, 0.8);
         let line = Slider::new(x1, xn).expect("the nodes are apart");
-        // The line is longest along the first axis, so that this coordinate is kept, and the other two follow.
+        // The line is longest along the first axis, so this coordinate is kept, and the other two follow.
         let xm = line.place(Vector3::new(x, 0.0, 0.0)).expect("the place is finite");
         let across = line.basis();
         let mut sketch = Sketch::new(
@@ -58,7 +58,7 @@ pub(super) fn slider() -> Moving {
     })
 }
 
-/// The corner of a slide line, rounded off, and the closest point of a slave node that passes it.
+/// The smoothed corner of a slide line, and the closest point of a slave node that passes it.
 pub(super) fn smoothed() -> Moving {
     let place = Along { label: "place of the slave node", unit: "", from: 0.4, to: 5.6, steps: 26, start: 12 };
     let fraction =
@@ -77,13 +77,13 @@ pub(super) fn smoothed() -> Moving {
         let straight =
             |from: Vector2<f64>, to: Vector2<f64>, g: f64| LinearPoint::eval(&LinearPlace { x1: from, x2: to, g }).x;
         let corner = |t: f64| SmoothedLinearPoint::eval(&LinearCornerPlace { x1, x2, x3, f, t }).x;
-        // The drawn line: from node 1 to the corner, along it, and on to node 3.
+        // The line drawn: from node 1 to the corner, along the corner, and on to node 3.
         let mut line = vec![on(x1)];
         line.extend((0..=24).map(|k| on(corner(f64::from(k) / 24.0))));
         line.push(on(x3));
         sketch.path(&[on(x1), on(x2), on(x3)], Ink::Dashed);
         sketch.path(&line, Ink::Solid);
-        // On each piece the formula finds the closest point; the nearest of the three is it.
+        // The formula finds the closest point on each piece, and the nearest of the three is used.
         let on_straight = |from, to, range: [f64; 2]| {
             let g = value::<ClosestLinear>(&LinearSlave { xs, x1: from, x2: to }).ok()?.g.clamp(range[0], range[1]);
             Some(straight(from, to, g))

@@ -1,4 +1,4 @@
-//! The mechanisms, drawn by the formulas: where things are and which way forces point comes from `eval`.
+//! The mechanisms, drawn from results of the formulas: positions and directions of forces come from `eval`.
 
 mod along;
 mod contact;
@@ -9,7 +9,7 @@ mod slot;
 
 use kit::Moving;
 
-/// Every mechanism, by the name that `{{#figure name}}` gives.
+/// Every mechanism, with the name used in `{{#figure name}}`.
 pub(super) fn all() -> Vec<Moving> {
     vec![
         slot::slot("introduction-moving"),

@@ -1,4 +1,4 @@
-//! JOIN and ALIGN: the place of node b is fixed in the triad of node a, or its orientation is.
+//! JOIN and ALIGN: in the triad of node a, the position of node b is fixed, or its orientation.
 
 use jointproof::connector::align::{self, ConstraintMoment, Moments, Orientations};
 use jointproof::connector::join::{self, Joined};
@@ -10,7 +10,7 @@ use nalgebra::{Rotation3, Vector3};
 use super::along::{Along, moving, turned};
 use crate::figures::sketch::{Ink, Point, Sketch, View, number};
 
-/// The triad of a, turned about the third axis of the drawing.
+/// The triad of a, rotated about the third axis of the drawing.
 fn turned_about_third(degrees: f64) -> [Point; 3] {
     let turn = Rotation3::new(Vector3::z() * degrees.to_radians());
     [Vector3::x(), Vector3::y(), Vector3::z()].map(|axis| turn * axis)
@@ -20,7 +20,7 @@ fn turn_of_a() -> Along {
     Along { label: "turn of node a", unit: "°", from: -20.0, to: 12.0, steps: 8, start: 5 }
 }
 
-/// JOIN: b stays at its place in the triad of a, and turns freely there.
+/// JOIN: b keeps its position in the triad of a, and rotates freely.
 pub(super) fn join() -> Moving {
     let turn_of_b = Along { label: "turn of node b", unit: "°", from: -60.0, to: 60.0, steps: 12, start: 8 };
     moving("join-moving", &[turn_of_a(), turn_of_b], |of_a, of_b| {
@@ -52,12 +52,12 @@ pub(super) fn join() -> Moving {
     })
 }
 
-/// ALIGN: b stays at its orientation in the triad of a, and moves freely.
+/// ALIGN: b keeps its orientation in the triad of a, and translates freely.
 pub(super) fn align() -> Moving {
     let place = Along { label: "place of node b", unit: "", from: 1.2, to: 3.0, steps: 9, start: 5 };
     moving("align-moving", &[turn_of_a(), place], |of_a, place| {
         let a = turned_about_third(of_a);
-        // Aligned at the start: b has the triad of a.
+        // Initially aligned: b has the triad of a.
         let aligned = Orientations::new(&Triads::new(a, a), &Angles { alpha: 0.0, beta: 0.0, gamma: 0.0 });
         let off = align::Constraint::eval(&aligned);
         let [e1a, e2a, e3a] = a;

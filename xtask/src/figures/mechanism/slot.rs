@@ -11,12 +11,12 @@ use nalgebra::{Rotation3, Vector3};
 use super::along::{Along, moving};
 use crate::figures::sketch::{Ink, Sketch, View, number};
 
-/// The offsets of the slot, and the multipliers that are drawn.
+/// The offsets of the slot, and the multipliers drawn.
 const Y0: f64 = 0.9;
 const Z0: f64 = 0.8;
 const FORCES: [f64; 2] = [0.8, 0.6];
 
-/// Node b in the slot of node a; a turns, b slides.
+/// Node b in the slot of node a; a rotates, b slides.
 pub(super) fn slot(name: &'static str) -> Moving {
     let along = Along { label: "x, place of b along the slot", unit: "", from: 0.4, to: 3.0, steps: 13, start: 8 };
     let turn = Along { label: "turn of node a", unit: "°", from: -16.0, to: 16.0, steps: 8, start: 4 };
@@ -61,7 +61,7 @@ pub(super) fn slot(name: &'static str) -> Moving {
     })
 }
 
-/// A shaft in its sleeve under a load beside the middle of the overlap.
+/// A shaft in its sleeve under a load at a distance from the middle of the overlap.
 pub(super) fn translator() -> Moving {
     let lever = Along { label: "distance of the load", unit: "", from: 0.0, to: 3.0, steps: 12, start: 6 };
     let overlap = Along { label: "overlap L", unit: "", from: 1.0, to: 3.0, steps: 8, start: 4 };
@@ -80,7 +80,7 @@ pub(super) fn translator() -> Moving {
         );
         let at = |x: f64, y: f64| Vector3::new(x, y, 0.0);
         let half = l / 2.0;
-        // The sleeve, cut open, and the shaft in it.
+        // The sleeve, in section, with the shaft in it.
         for side in [-1.0, 1.0] {
             sketch.area(
                 &[at(-half, side * 0.34), at(half, side * 0.34), at(half, side * 0.62), at(-half, side * 0.62)],
@@ -91,7 +91,7 @@ pub(super) fn translator() -> Moving {
         sketch.path(&[at(-2.6, 0.0), at(4.8, 0.0)], Ink::Axis);
         sketch.arrow(at(lever, 1.3), at(0.0, -0.95), Ink::Solid);
         sketch.label(at(lever, 1.3), [8.0, 6.0], "load 1", Ink::Solid);
-        // Forces on the shaft: as long as the formulas say.
+        // The forces on the shaft, with lengths computed by the formulas.
         let unit = 0.8;
         let end = bending.f_bend / 2.0 * unit;
         sketch.arrow(at(half, -0.32 - end), at(0.0, end), Ink::Force);

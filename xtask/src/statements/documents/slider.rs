@@ -1,5 +1,5 @@
-//! The sliding constraint, statement by statement: one paragraph, whose symbols are lost. `s` counts what it says, `e` its
-//! equations.
+//! The sliding constraint, statement by statement: one paragraph that has lost its symbols. `s` numbers its
+//! statements, `e` its equations.
 
 use crate::statements::document::Document;
 use crate::statements::statement::{Statement, covered, mended, outside};

@@ -10,7 +10,7 @@ pub(super) fn errata() -> Vec<Erratum> {
 
 const DOUBLED: &str = "twice the loads, twice the result";
 
-/// How far a function is from being of degree 1 in its loads.
+/// The deviation of a function from homogeneity of degree 1 in its loads.
 fn degree(f: impl Fn(f64) -> f64) -> f64 {
     apart(f(2.0), 2.0 * f(1.0))
 }
@@ -43,7 +43,7 @@ fn roots() -> Erratum {
     )
 }
 
-/// How far a force is from staying the same where lengths are counted in thousandths; it is given the unit of length.
+/// The change of a force if lengths are measured in thousandths; `f` is given the unit of length.
 fn in_other_units(f: impl Fn(f64) -> f64) -> f64 {
     apart(f(1.0), f(1000.0))
 }

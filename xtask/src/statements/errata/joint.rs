@@ -68,8 +68,8 @@ fn bars() -> Erratum {
     )
 }
 
-/// A force along arm 3 pushes both hinges of axis 1 the same way. The twisting moment pushes one of them that way and the
-/// other one back; it is chosen as large as the force.
+/// A force along arm 3 pushes both hinges of axis 1 in the same direction. The twisting moment pushes them in opposite
+/// directions; it is chosen as large as the force.
 fn parallel_forces() -> Erratum {
     let Arm { la, rp } = ARM;
     let pushed = ujoint::HingeAxial::eval(&AxialForces { f_axial1: 0.0, f_axial3: FORCE, la, rp }).f_transv_hinge1;

@@ -1,4 +1,4 @@
-//! Rules that this library began with, and that did not hold.
+//! Rules that this library initially used, and that proved wrong.
 
 use crate::statements::erratum::{Erratum, apart, at, erratum};
 use jointproof::Octuple;
@@ -23,7 +23,7 @@ pub(super) fn errata() -> Vec<Erratum> {
     ]
 }
 
-/// b turned by α = 0.3 and β = 0.4: its third axis, and the line of nodes, in the triad of a.
+/// b rotated by α = 0.3 and β = 0.4: its third axis and the line of nodes, in the triad of a.
 fn turned() -> (Vector3<f64>, Vector3<f64>) {
     let ((sin_a, cos_a), (sin_b, cos_b)) = (0.3_f64.sin_cos(), 0.4_f64.sin_cos());
     (Vector3::new(sin_b, -sin_a * cos_b, cos_a * cos_b), Vector3::new(0.0, cos_a, sin_a))
@@ -104,7 +104,7 @@ fn moment_of_align() -> Erratum {
 
 fn axial_shares() -> Erratum {
     let stubby = ujoint::Arm { la: 1e-9_f64, rp: 1.0 };
-    // Less the part that is as small as the square of la/rp.
+    // Minus the part of the order of the square of la/rp.
     let ratio = 44.0 / 15.0;
     let timoshenko = 0.5 * ratio / (1.0 + ratio);
     let here = ujoint::AxialFactors::eval(&stubby).alpha_axial;
@@ -128,7 +128,7 @@ fn beyond_an_end() -> Erratum {
     let i = arch([-3.0, 0.5]);
     let here = slide_line::ClosestParabolic::jacobian(&i).separation.x2.y;
     let by_ad = value_and_jacobian_by_ad::<slide_line::ClosestParabolic, f64>(&i).1.separation.x2.y;
-    // At the first node the midside node has no weight.
+    // At the first node the weight of the midside node is 0.
     let literal = 0.0;
     erratum(
         "gap-beyond-an-end",

@@ -1,4 +1,4 @@
-//! Times value and Jacobian of a formula by `batch` over columns of doubles in a file, for every line that is read:
+//! Times value and Jacobian of a formula by `batch` over columns of doubles in a file, once for every line of input;
 //! `compare.py` compares the Python package with it.
 
 use jointproof::toolkit::batch::{ArrayView1, ArrayViewMut1, columns, entries, value_and_jacobian};
@@ -14,7 +14,7 @@ use std::time::Instant;
 /// Times a formula over these columns.
 type Run = fn(&[f64]) -> Result<(), Box<dyn Error>>;
 
-/// Those of `definitions.py`.
+/// The formulas of `definitions.py`.
 const FORMULAS: [(&str, Run); 12] = [
     of::<slot::Friction>(),
     of::<coulomb::Response>(),

@@ -1,4 +1,4 @@
-//! Neighbourhoods of planted formulas, whose jumps are known.
+//! Neighbourhoods of planted formulas with known jumps.
 
 use super::super::planted::{Function, planted};
 use super::*;
@@ -13,12 +13,12 @@ fn number(x: f64) -> Octuple {
     x.into()
 }
 
-/// Whether numbers agree in 40 digits.
+/// Whether numbers agree to 40 digits.
 fn is_close(found: Octuple, expected: Octuple) -> bool {
     (found - expected).abs() <= expected.abs() * 1e-40
 }
 
-/// The jumps of a and b by x where x is 0, y is 0 and c is 1.
+/// The jumps of a and b with respect to x at x = 0, y = 0 and c = 1.
 fn at_zero(value: Function, jacobian: Function) -> [Jump; 2] {
     let (subject, at) = (planted(value, jacobian), exact(&[0.0, 0.0, 1.0]));
     let jumps = Neighbourhood::new(&subject, &at).each_across(&[1.0, 0.0, 0.0]);
@@ -48,7 +48,7 @@ fn both_sides_of_an_input_are_in_the_domain_or_one_or_none() {
     assert_eq!(sides(number(4.0), &[2, 1]), (vec![2], vec![(1, -1.0)]));
     assert_eq!(sides(number(3.0), &[1]), (vec![1], vec![]));
     assert_eq!(sides(number(5.0), &[1]), (vec![], vec![]));
-    // Nearer to the edge than the longer step, and farther.
+    // Nearer to the edge than the longer step, and farther away.
     assert_eq!(sides(number(4.0) - 1e-24, &[1]), (vec![], vec![(1, -1.0)]));
     assert_eq!(sides(number(4.0) - 1e-23, &[1]), (vec![1], vec![]));
 }
@@ -59,15 +59,15 @@ fn a_direction_changes_one_input_by_its_size() {
     let beside = Neighbourhood::new(&subject, &at);
     assert_eq!(beside.dimensions(), 3);
     assert_eq!((beside.axis(2), beside.towards(1, -1.0)), (vec![0.0, 0.0, 1.0], vec![0.0, -1.0, 0.0]));
-    // An input that is 0 is as large as what has its unit.
+    // An input that is 0 has the size of inputs with the same unit.
     assert_eq!([0, 1, 2].map(|input| beside.unit(input)), [2.0, 3.0, 2.0].map(number));
     let moved = rounded(&beside.moved(&[0.0, -2.0, 1.0], 0.25));
-    // The sign of a zero is that of an angle.
+    // The sign of a zero affects angles.
     assert_eq!(moved.iter().map(|x| x.to_bits()).collect::<Vec<_>>(), [-0.0, -4.5, 2.5].map(f64::to_bits));
     assert_eq!(rounded(&beside.moved(&[1.0, 0.0, 0.0], 0.25)), [0.5, -3.0, 2.0]);
 }
 
-/// The Jacobian tells where it was asked.
+/// The Jacobian returns the point at which it was evaluated.
 #[test]
 fn the_closed_form_is_asked_just_beside_the_point() {
     let jacobian: Function = |i| {
@@ -112,11 +112,11 @@ fn an_absolute_value_jumps_by_all_of_its_derivative() {
         },
     );
     assert_eq!((a.size, a.output, b.output, b.sides.map(Octuple::to_f64)), (0.0, 0, 1, [1.0, -1.0]));
-    // x is as large as c is. Beside 2 there is the closed form at the point.
+    // The size of x is that of c. In addition to 2, the closed form at the point contributes.
     assert_eq!(b.size, 2.0 / (2.0 + 1.0));
 }
 
-/// −5 + 3 x where x is positive and −5 − x elsewhere, of which the closed form has −7 by y.
+/// −5 + 3 x where x is positive and −5 − x elsewhere, with −7 as the closed-form derivative with respect to y.
 #[test]
 fn a_jump_is_relative_to_derivatives_value_and_terms() {
     let value: Function = |i| vec![if i[0] > 0.0 { i[0] * 3.0 } else { -i[0] } - 5.0, Octuple::zero()];
@@ -128,7 +128,7 @@ fn a_jump_is_relative_to_derivatives_value_and_terms() {
     assert_eq!((b.size, b.output), (0.0, 1));
 }
 
-/// Of y, which is as large as 1 by itself, there is nothing on the other side.
+/// y, whose size is 1, has no other side.
 #[test]
 fn where_one_side_has_no_value_the_derivative_has_a_limit_or_none() {
     fn where_positive(x: Octuple, value: Octuple) -> Octuple {
@@ -143,7 +143,7 @@ fn where_one_side_has_no_value_the_derivative_has_a_limit_or_none() {
     };
     for value in [root, root_back] {
         let [a, b] = at_zero(value, slope);
-        // Over a millionth of the step the slope is a thousandfold, and both count.
+        // Over a millionth of the step the slope is a thousand times larger, and both count.
         assert!((a.size - 999.0 / 1001.0).abs() < 1e-9, "{a:?}");
         assert!(a.sides[0].to_f64() > 0.9e12 && (a.sides[1] / a.sides[0]).to_f64() > 999.0, "{a:?}");
         assert_eq!(b.size, 0.0);
@@ -169,7 +169,7 @@ fn the_largest_jump_of_all_outputs_is_told_across_and_inwards() {
     assert!(inward.output == 1 && inward.size > 0.99, "{inward:?}");
 }
 
-/// The larger of x and y, at which every one-sided derivative exists.
+/// The larger of x and y, where every one-sided derivative exists.
 #[test]
 fn derivatives_along_two_directions_add_up_where_there_is_one() {
     let larger: Function = |i| vec![if i[0] < i[1] { i[1] } else { i[0] }, i[0] + i[1] * 3.0];
@@ -184,7 +184,7 @@ fn derivatives_along_two_directions_add_up_where_there_is_one() {
     };
     let apex = additive([0.0, 0.0, 1.0]);
     assert_eq!((apex.output, apex.sides.map(Octuple::to_f64)), (0, [2.0, 1.0]));
-    // 1 of the sum of both and what x does.
+    // 1 relative to the sum of both and the contribution of x.
     assert_eq!(apex.size, 1.0 / (2.0 + 1.0 + 1.0));
     assert!(additive([1.0, 2.0, 1.0]).is_smooth());
 }
@@ -209,13 +209,13 @@ const SIGN: Function = |i| by_x(i[0].to_f64().partial_cmp(&0.0).map_or(0.0, |ord
 
 #[test]
 fn a_jump_is_one_over_the_shorter_step_too() {
-    // By the shorter step the difference is 10⁻¹² of what it was.
+    // Over the shorter step, the difference is 10⁻¹² of what it was.
     let shrinks = size(|i| b(i[0] * i[0] * 1e14), SIGN);
     assert!((shrinks / 1e-12 - 1.0).abs() < 1e-9, "{shrinks}");
-    // Half of the slope lasts, and is a smaller part of all.
+    // Half of the slope persists, and is a smaller fraction of the total.
     let halved = size(|i| b(if i[0].abs() > 1e-30 { i[0].abs() } else { i[0].abs() * 0.5 } + 1.0), SIGN);
     assert!((halved - 0.5 * 0.5).abs() < 1e-15, "{halved}");
-    // Twice the slope is a larger part, and not more than all lasts.
+    // Twice the slope is a larger fraction, and no more than all persists.
     let doubled = size(|i| b(if i[0].abs() > 1e-30 { i[0].abs() } else { i[0].abs() * 2.0 } + 1.0), SIGN);
     assert!((doubled - 2.0 / 3.0).abs() < 1e-15, "{doubled}");
 }
@@ -226,14 +226,14 @@ fn a_jump_is_one_in_the_closed_form_too() {
     assert_eq!(size(absolute, FLAT), 0.0);
     assert_eq!(size(absolute, SIGN), 1.0);
     assert_eq!(size(absolute, |_| by_x(f64::NAN)), 1.0);
-    // Where the closed form jumps by half of it, half is confirmed.
+    // If the closed form jumps by half of it, half is confirmed.
     assert_eq!(size(absolute, |i| by_x(if i[0] > 0.0 { 1.0 } else { 0.0 })), 0.5);
 }
 
 #[test]
 fn a_value_that_jumps_needs_no_closed_form_that_does() {
     assert_eq!(size(|i| b(number(if i[0] > 0.0 { 1.0 } else { 0.0 })), FLAT), 1.0);
-    // Over the shorter step it jumps by a thousandth of what it does over the longer, or by more.
+    // Over the shorter step it jumps by a thousandth of the jump over the longer one, or by more.
     assert_eq!(
         size(
             |i| b(number(if i[0] > 1e-30 {

@@ -1,4 +1,4 @@
-//! Searches of planted formulas, of which it is known where points are and what jumps there.
+//! Searches in planted formulas with known points and jumps.
 
 use super::super::planted::{Function, graph, kink, only_where, planted};
 use super::*;
@@ -32,7 +32,7 @@ fn bent() -> Subject {
     planted(value, |i| exact(&[sign(i[0] - 1.0), 0.0, 0.0, 0.0, 0.0, 0.0]))
 }
 
-/// Where x = 1 is asked.
+/// Compares x with 1.
 fn at_one() -> Graph {
     graph(|graph, [x, ..]| {
         let one = graph.number(1.0);
@@ -40,7 +40,7 @@ fn at_one() -> Graph {
     })
 }
 
-/// Where x = 1 is asked, and where y = 3 is.
+/// Compares x with 1 and y with 3.
 fn at_one_and_three() -> Graph {
     graph(|graph, [x, y, _]| {
         let [one, three] = [1.0, 3.0].map(|c| graph.number(c));
@@ -48,7 +48,7 @@ fn at_one_and_three() -> Graph {
     })
 }
 
-/// Asks for the points on the candidate that is so in words.
+/// Finds the points on the candidate with these words.
 fn points_where(subject: &Subject, graph: &Graph, words: &str, starts: &[[f64; 3]]) -> Vec<Vec<Octuple>> {
     let names = Names::new(subject);
     let candidates = candidates(subject, graph, &names);
@@ -82,18 +82,18 @@ fn fourteen_starts_are_tried() {
     assert!(after(14).is_empty());
 }
 
-/// Inputs are valid where c is not that of a start.
+/// Inputs are valid if c is not that of a start.
 #[test]
 fn a_point_between_starts_is_looked_for_where_none_of_them_leads_to_one() {
     let starts = [[0.0, 1.0, 1.0], [8.0, 2.0, 5.0]];
-    // Where they lead to points no other one is looked for.
+    // If starts lead to points, no other one is sought.
     assert_eq!(points_at_one(&smooth(), &starts), [[1.0, 1.0, 1.0], [1.0, 2.0, 5.0]]);
     let mut subject = smooth();
     subject.check = |i| only_where(1.0 < i[2] && i[2] < 5.0);
     let [at] = &points_at_one(&subject, &starts)[..] else { panic!("there is one") };
     assert!(at[0] == 1.0 && (at[2] - 1.5).abs() < 1e-12, "{at:?}");
     assert!(points_at_one(&subject, &starts[..1]).is_empty());
-    // Of several equalities none tells on which side a start is.
+    // With several equalities, none tells on which side a start is.
     let both = graph(|graph, [x, y, _]| {
         let [one, three] = [1.0, 3.0].map(|c| graph.number(c));
         let parts = [(x, one), (y, three)].map(|(node, c)| graph.binary(Subtract, node, c));
@@ -104,7 +104,7 @@ fn a_point_between_starts_is_looked_for_where_none_of_them_leads_to_one() {
     assert!(points_where(&subject, &both, words, &starts).is_empty());
 }
 
-/// x (3 x − 1), and y − 2 beside it or not.
+/// x (3 x − 1), with or without y − 2 alongside.
 fn with_roots(is_alone: bool) -> Graph {
     graph(|graph, [x, y, _]| {
         let [one, two, three] = [1.0, 2.0, 3.0].map(|c| graph.number(c));
@@ -116,7 +116,7 @@ fn with_roots(is_alone: bool) -> Graph {
     })
 }
 
-/// The first component of the points where x (3 x − 1) = 0 from a start. That at 1/3 is no double.
+/// The first component of the points where x (3 x − 1) = 0 from a start. The root 1/3 is not a double.
 fn roots(subject: &Subject, is_alone: bool, start: f64) -> Vec<f64> {
     let words = if is_alone { "x (3 x − 1) = 0" } else { "|(x (3 x − 1), y − 2)| = 0" };
     let found = points_where(subject, &with_roots(is_alone), words, &[[start, 2.0, 1.0]]);
@@ -128,14 +128,14 @@ fn where_a_place_is_refused_only_the_formula_can_say_what_is_valid() {
     let third = [1.0 / 3.0];
     let (mut subject, nothing) = (smooth(), [0.0; 0]);
     subject.is_valid = |_| false;
-    // One that is elsewhere says nothing.
+    // An invalid case elsewhere has no effect.
     subject.invalid_cases = || vec![Case::hard("elsewhere", "", vec![5.0, 2.0, 1.0])];
     assert_eq!([true, false].map(|is_alone| roots(&subject, is_alone, 1.0)), [third; 2]);
     subject.invalid_cases = || [5.0, 0.0].map(|x| Case::hard("refused", "", vec![x, 2.0, 1.0])).into();
-    // What is a double the formula is asked itself.
+    // At a double, the formula itself is asked.
     assert_eq!([true, false].map(|is_alone| roots(&subject, is_alone, -1.0)), [[0.0]; 2]);
     assert_eq!([true, false].map(|is_alone| roots(&subject, is_alone, 1.0)), [nothing; 2]);
-    // A single equality may hold at other places, too.
+    // A single equality may also hold at other points.
     subject.is_valid = |_| true;
     assert_eq!((roots(&subject, true, 1.0), roots(&subject, false, 1.0)), (third.into(), Vec::new()));
     subject.check = |_| only_where(false);
@@ -184,18 +184,18 @@ fn a_candidate_depends_on_the_inputs_that_it_is_computed_from() {
     assert_eq!(Looking::new(&subject, &product, &names).inputs_of(&candidate), [0, 2]);
 }
 
-/// A candidate of which only the operation and the words count.
+/// A candidate of which only the operation and the words matter.
 fn at(node: Node) -> Candidate {
     Candidate { node, words: "there".into(), pairs: Vec::new(), negative: None }
 }
 
-/// Asks of the jumps at a point.
+/// Queries the jumps at a point.
 fn jumps<T>(subject: &Subject, point: [f64; 3], ask: impl FnOnce(&mut Looking<'_>, &Neighbourhood<'_>) -> T) -> T {
     let (graph, names, point) = (at_one(), Names::new(subject), exact(&point));
     ask(&mut Looking::new(subject, &graph, &names), &Neighbourhood::new(subject, &point))
 }
 
-/// Of |x| + 3 y, whose closed form has 1 at x = 0: x and c are 1 large, y is 2.
+/// For |x| + 3 y, whose closed form has 1 at x = 0: the sizes of x and c are 1, that of y is 2.
 #[test]
 fn the_larger_of_the_jumps_along_two_random_directions_counts() {
     let value: Function = |i| vec![i[0].abs() + i[1] * 3.0, i[1]];
@@ -211,7 +211,7 @@ fn the_larger_of_the_jumps_along_two_random_directions_counts() {
     });
 }
 
-/// (x − 1) (y − 2)² / ((x − 1)² + (y − 2)²), which is straight along every direction.
+/// (x − 1) (y − 2)² / ((x − 1)² + (y − 2)²), which is linear along every direction.
 fn odd() -> Subject {
     fn parts(i: &[Octuple]) -> [Octuple; 3] {
         let [u, v] = [i[0] - 1.0, i[1] - 2.0];
@@ -237,7 +237,7 @@ fn where_several_numbers_vanish_slopes_along_directions_must_add_up() {
     assert!(is_smooth(&[0], true));
 }
 
-/// 1 to the right and 1.1 to the left: the slopes of two directions nearly cancel, and those of one do not.
+/// 1 to the right and 1.1 to the left: the slopes of two directions nearly cancel, but not those of a single one.
 #[test]
 fn directions_of_a_single_input_need_not_add_up() {
     let value: Function = |i| vec![(i[0] - 1.0) * if i[0] < 1.0 { 1.1 } else { 1.0 }, number(0.0)];
@@ -273,7 +273,7 @@ fn at_the_edge_of_a_domain_the_slope_into_it_must_have_a_limit() {
     }
 }
 
-/// What is said of a jump of this size by these inputs: the size, the entry, and both sides.
+/// The description of a jump of this size with respect to these inputs: the size, the entry, and both sides.
 fn described(subject: &Subject, point: [f64; 3], inputs: &[usize], size: f64) -> (f64, String, [f64; 2]) {
     jumps(subject, point, |looking, _| {
         let jump = Jump { size, output: 1, sides: [2.0, 1.0].map(number) };
@@ -313,7 +313,7 @@ fn where_no_input_shows_a_jump_two_directions_do() {
     let shown = |inputs: &[usize], size| described(&odd(), [1.0, 2.0, 1.0], inputs, size);
     assert_eq!(shown(&[0, 1], 0.5), (0.5, sum.clone(), [2.0, 1.0]));
     assert_eq!(shown(&[], 0.0), (0.0, sum, [2.0, 1.0]));
-    // Where nothing jumps at all some input shows that.
+    // If nothing jumps at all, any input shows that.
     let (_, entry, sides) = shown(&[0, 1], 0.0);
     assert!(entry.starts_with("∂a/∂") && sides == [0.0; 2], "{entry} {sides:?}");
 }
@@ -338,7 +338,7 @@ fn a_power_of_two_is_near_every_number_but_0() {
     assert_eq!([0.0, -0.0].map(|x| power_of_two_near(x).to_bits()), [0.0, -0.0].map(f64::to_bits));
 }
 
-/// What a search from points finds, and claims.
+/// The results and claims of a search from points.
 fn searched(subject: &Subject, graph: &Graph, points: &[[f64; 3]]) -> (Search, Claim) {
     let points: Vec<_> = points.iter().map(|at| Point::new(subject, "there".into(), true, at.to_vec())).collect();
     let mut claim = Claim::new("kinks are registered", SMOOTH);
@@ -351,7 +351,7 @@ fn counts(search: &Search) -> [usize; 4] {
     [search.candidates, search.points, search.smooth, search.registered]
 }
 
-/// Points that are so simple that no simpler ones are near.
+/// Points so simple that no simpler ones are near.
 const THREE: [[f64; 3]; 3] = [[4.0, 1.0, 1.0], [4.0, 2.0, 1.0], [4.0, 4.0, 1.0]];
 
 #[test]
@@ -384,12 +384,12 @@ fn a_candidate_on_which_no_point_was_found_is_named() {
     let mut subject = bent();
     subject.check = |i| only_where(i[0] != 1.0);
     let (search, claim) = searched(&subject, &at_one_and_three(), &THREE);
-    // Where y = 3 all starts lead to one point.
+    // For y = 3 all starts lead to one point.
     assert_eq!((counts(&search), search.not_reached), ([2, 1, 1, 0], vec!["x = 1".to_owned()]));
     assert_eq!((claim.checks, claim.failures), (1, 0));
 }
 
-/// A kink where y is above 3 alone.
+/// A kink only where y is above 3.
 #[test]
 fn a_single_point_at_which_something_jumps_is_enough() {
     let value: Function = |i| vec![if i[1] > 3.0 { (i[0] - 1.0).abs() } else { i[0] }, number(0.0)];
@@ -402,7 +402,7 @@ fn a_single_point_at_which_something_jumps_is_enough() {
     }
 }
 
-/// As long as it was not met.
+/// Until it was met.
 #[test]
 fn a_kink_on_which_nothing_jumps_here_is_met_all_the_same() {
     let mut subject = smooth();
@@ -430,7 +430,7 @@ fn slopes_along_directions_must_add_up_where_several_numbers_vanish_alone() {
     assert_eq!([true, false].map(failures), [1, 0]);
 }
 
-/// The inputs of the first point that was found, as x, y and c, and how many were.
+/// The inputs x, y and c of the first point found, and the number of points.
 fn first(subject: &Subject, graph: &Graph, points: &[[f64; 3]]) -> ([f64; 3], usize) {
     let (search, claim) = searched(subject, graph, points);
     let inputs = claim.worst.map(|worst| ["x", "y", "c"].map(|name| worst.inputs[name].as_f64().expect("a number")));
@@ -440,7 +440,7 @@ fn first(subject: &Subject, graph: &Graph, points: &[[f64; 3]]) -> ([f64; 3], us
 #[test]
 fn starts_of_single_digits_come_first() {
     assert_eq!(first(&smooth(), &at_one(), &[[5.5, 1.25, 3.75]]), ([1.0, 1.0, 2.0], 2));
-    // The eighth of them is the last.
+    // The eighth simple start is the last.
     let mut subject = smooth();
     subject.check = |i| only_where(i[2] == 512.0);
     let points = |others: usize| [vec![[5.5, 1.25, 3.75]; others], vec![[5.5, 1.25, 700.0]]].concat();
@@ -486,7 +486,7 @@ fn a_kink_that_no_first_point_met_is_looked_for_from_the_other_starts() {
         let (search, _) = searched(subject, &at_one_and_three(), &points(special));
         (search.points, search.found.join(", "))
     };
-    // Where nothing is lacking, the first points are all.
+    // If nothing is missing, only the first points are used.
     assert_eq!(found(&subject, &[]), (3 + 3, String::new()));
     subject.kinks.push(kink(r"x = 1,\ c = 7", |i| i[0] == 1.0 && i[2] == 7.0, [1.0; 3], [1.0; 3]));
     let by_x = r"x = 1,\ c = 7";

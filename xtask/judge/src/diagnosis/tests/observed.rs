@@ -21,12 +21,12 @@ fn other_numbers_of_single_precision_are_no_rounded_ones() {
     let points: &[&[f64]] = &[&[1.0, 2.0], &[2.0, 3.0], &[1.0, 5.0]];
     let other = |x: &[f64], y: &mut Numbers| y[0] = y[0].map(|y| single(y * (1.0 + x[1] * 1e-4)));
     assert_eq!(cause(CONTACT_FORCE, points, other), "unexplained");
-    // Nor is one among them that has all digits.
+    // Nor if one of them has all digits.
     let one = |x: &[f64], y: &mut Numbers| y[0] = y[0].map(|y| if x[0] == 2.0 { y * (1.0 + 1e-6) } else { single(y) });
     assert_eq!(cause(CONTACT_FORCE, points, one), "unexplained");
 }
 
-/// What is said where squares of the contact forces are out of range.
+/// The report where squares of the contact forces are out of range.
 fn beyond(lost: usize, points: usize) -> String {
     format!(
         "right but for inputs below 1e-140 or above 1e140, where {lost} of {points} points give 0, NaN or an infinity: a \
@@ -39,7 +39,7 @@ fn squares_out_of_range_show_where_inputs_are_extreme() {
     let small: [&[f64]; 4] = [&[1e-200, 3e-200], &[-2e-180, 1e-180], &[1e-160, 0.0], &[3.0, 4.0]];
     let large: [&[f64]; 4] = [&[1e200, 3e200], &[2e180, -1e180], &[1e160, 1.0], &[-3.0, 0.0]];
     let squared = |x: &[f64], y: &mut Numbers| y[0] = Some((x[0] * x[0] + x[1] * x[1]).sqrt());
-    // What is subnormal is a number, though not a good one.
+    // A subnormal number is still a number, though an inaccurate one.
     for (points, lost) in [(small, 2), (large, 3)] {
         let said = causes(CONTACT_FORCE, &points, squared);
         assert_eq!(said, [format!("{}: this explains all 4 points looked at", beyond(lost, 3))], "{points:?}");
@@ -56,7 +56,7 @@ fn one_number_that_is_lost_shows_it_and_none_does_not() {
         assert_eq!(cause(CONTACT_FORCE, points, lost(1e-199, as_what)), beyond(1, 3));
     }
     assert_eq!(cause(CONTACT_FORCE, points, lost(0.0, 0.0)), "unexplained");
-    // One number of an answer will do.
+    // One number of an answer suffices.
     let derivatives = |_: &[f64], y: &mut Numbers| *y = [0.0, 0.5, 0.25].map(Some).to_vec();
     assert_eq!(cause(("slot.contact_force", Wanted::Jacobian), points, derivatives), beyond(3, 3));
 }

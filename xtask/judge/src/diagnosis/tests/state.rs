@@ -2,8 +2,8 @@ use super::*;
 
 const NOT_TOLD: &str = "state is kept between calls; what it is does not show";
 
-/// What is said of a program that is asked at some points of the yield function, then again in another order, and holds a
-/// number of an answer.
+/// The diagnosis of a program that is asked at some points of the yield function, then again in another order, and
+/// keeps a number of an answer.
 fn told(count: usize, mut hold: impl FnMut(usize, &mut Numbers)) -> String {
     let numbers = (0_u32..).map(f64::from).take(count);
     let points: Vec<_> = numbers.map(|k| [k + 1.0, 0.5, 4.0 - k]).collect();
@@ -33,7 +33,7 @@ fn told(count: usize, mut hold: impl FnMut(usize, &mut Numbers)) -> String {
 
 #[test]
 fn three_answers_tell_to_which_point_they_belong() {
-    // Two points, asked twice: three answers have one before them.
+    // Two points, asked twice: three answers have a predecessor.
     let before = |skipped: Option<usize>| {
         let mut before = None;
         told(2, move |turn, y| {

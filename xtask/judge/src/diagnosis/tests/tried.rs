@@ -1,4 +1,4 @@
-//! Everything that is tried, kept in `tests/printed/check_tried.txt`.
+//! All mistakes that are tried, kept in `tests/printed/check_tried.txt`.
 
 use super::*;
 use expect_test::expect_file;
@@ -6,7 +6,7 @@ use jointproof::toolkit::graph::{Node, Op};
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
-/// Exchanges of numbers: what stands where.
+/// Permutations of numbers, with the source of each.
 fn exchanges(id: &'static str, wanted: Wanted) -> String {
     exchanged(id, wanted, "")
 }
@@ -40,7 +40,7 @@ fn exchanged(id: &'static str, wanted: Wanted, begin: &str) -> String {
     )
 }
 
-/// Other inputs: where each comes from.
+/// Other inputs, with the source of each.
 fn inputs(id: &str) -> String {
     let inputs = find(id).unwrap().inputs();
     let asked: Vec<_> =
@@ -53,7 +53,7 @@ fn inputs(id: &str) -> String {
     text
 }
 
-/// How what is rare in a formula is written out.
+/// The wording of expressions that are rare in formulas.
 fn wordings(id: &str) -> String {
     let formula = find(id).unwrap();
     let graph = formula.graph().unwrap();

@@ -1,4 +1,4 @@
-//! The calculators of a built book, used in a browser at the inputs of every golden case, and compared bit by bit.
+//! The calculators of a built book, operated in a browser with the inputs of every golden case, and compared bit by bit.
 
 use std::fmt;
 use std::fs;
@@ -20,25 +20,25 @@ use crate::project::Project;
 #[cfg(test)]
 mod tests;
 
-/// What is done in the page.
+/// The script executed in the page.
 pub(super) const DRIVE: &str = include_str!("drive.js");
 
-/// What was found.
+/// The result of the check.
 #[derive(Default)]
 pub(crate) struct Checked {
     formulas: usize,
     cases: usize,
-    /// Those that the menus have.
+    /// Cases that are in the menus.
     chosen: usize,
     numbers: usize,
     differ: usize,
     near: usize,
     refused: usize,
-    /// Cases whose inputs are refused since each is allowed, and not all together.
+    /// Cases in which every single input is allowed, but which are rejected because of their combination.
     together: usize,
     eta: [f64; 2],
     sizes: Sizes,
-    /// What is off, the worst first.
+    /// The differences, the worst first.
     off: Vec<String>,
 }
 
@@ -64,7 +64,7 @@ impl fmt::Display for Checked {
     }
 }
 
-/// Uses every calculator of the book in this folder; `None` where there is no browser, unless one is required.
+/// Checks every calculator of the book in this folder; `None` if there is no browser and none is required.
 pub(crate) fn check(project: &Project, out: &Path) -> Result<Option<Checked>> {
     if !browser::is_here_or_not_required()? {
         return Ok(None);
@@ -72,7 +72,7 @@ pub(crate) fn check(project: &Project, out: &Path) -> Result<Option<Checked>> {
     use_all(project, out, &mut Browser::start()?).map(Some)
 }
 
-/// Uses every calculator in this browser.
+/// Checks every calculator with this browser.
 pub(super) fn use_all(project: &Project, out: &Path, browser: &mut Browser) -> Result<Checked> {
     let out = out.canonicalize()?;
     let mut checked = Checked::default();
@@ -111,7 +111,7 @@ fn calculators(page: &str) -> Vec<String> {
     page.split(&begin).skip(1).filter_map(id).collect()
 }
 
-/// The chapters: no listings, and not the page that repeats them all.
+/// The pages of chapters, without listings and the page that repeats all chapters.
 pub(crate) fn pages(out: &Path) -> Result<Vec<PathBuf>> {
     let mut pages = Vec::new();
     for entry in fs::read_dir(out)? {
@@ -133,14 +133,14 @@ struct One<'a> {
     checked: &'a mut Checked,
 }
 
-/// What a calculator shows.
+/// The contents of a calculator.
 #[derive(serde::Deserialize)]
 struct Shown {
     refusal: String,
     numbers: Vec<String>,
-    /// The fields when the case is chosen from the menu, which may not have it.
+    /// The fields after the case is chosen from the menu; `None` if it is not in the menu.
     chosen: Option<Vec<String>>,
-    /// Whether the same is shown then.
+    /// Whether the results are then the same.
     #[serde(default)]
     same: bool,
 }
@@ -152,7 +152,7 @@ impl One<'_> {
         for case in &self.golden.cases {
             points.push(components(self.formula.inputs(), &case.inputs)?);
         }
-        // Every other case in hexadecimal digits.
+        // Every other case uses hexadecimal digits.
         let texts = points.iter().enumerate().map(|(k, point)| {
             let text = |x: &f64| if k % 2 == 0 { format!("{x:?}") } else { hexadecimal(*x) };
             point.iter().map(text).collect::<Vec<_>>()
@@ -230,7 +230,7 @@ impl One<'_> {
         Ok(())
     }
 
-    /// What is printed of the formula, which only a difference asks for.
+    /// The exported script of the formula, needed only if there is a difference.
     fn script(&self) -> Result<Script> {
         export::script(self.formula).map_err(|why| anyhow::anyhow!("{} has no script: {why}", self.formula.spec().id))
     }
@@ -255,7 +255,7 @@ impl One<'_> {
         Ok(())
     }
 
-    /// The golden numbers in the order of the calculator, each with its scale; `None` where the case has none.
+    /// The golden numbers in the order of the calculator, each with its scale; `None` if the case has none.
     fn exact(&self, case: &Record) -> Vec<Option<(f64, f64, bool)>> {
         let (inputs, outputs) = (self.formula.inputs(), self.formula.outputs());
         let values = |map: &Option<serde_json::Map<String, Value>>| -> Vec<f64> {
@@ -273,7 +273,7 @@ impl One<'_> {
         of_value.chain(of_jacobian).collect()
     }
 
-    /// Whether every input alone is.
+    /// Whether every single input is allowed.
     fn are_allowed(&self, point: &[f64]) -> bool {
         let domains = self.formula.inputs().iter().flat_map(|field| vec![field.quantity.domain; field.len()]);
         point.iter().zip(domains).all(|(x, domain)| x.is_finite() && domain.allows(*x))
@@ -284,7 +284,7 @@ impl One<'_> {
     }
 }
 
-/// The backward error, η = |ŷ − y| / (u · scale + half the smallest subnormal), from twice of both.
+/// The backward error, η = |ŷ − y| / (u · scale + half the smallest subnormal), with numerator and denominator doubled.
 fn eta(found: f64, exact: f64, scale: f64) -> f64 {
     2.0 * (found - exact).abs() / (f64::EPSILON * scale + f64::from_bits(1))
 }
@@ -305,7 +305,7 @@ fn leaves(value: &Value) -> Vec<f64> {
     }
 }
 
-/// A double in hexadecimal digits, as C prints it.
+/// A double in hexadecimal notation, as printed by C.
 fn hexadecimal(x: f64) -> String {
     if !x.is_finite() {
         return format!("{x:?}");

@@ -1,7 +1,7 @@
-//! Calculators: the entry of a formula that is exported computes it, with the JavaScript of the export.
+//! Calculators: the entry of a formula evaluates it with the exported JavaScript.
 //!
-//! A page loads one script; what belongs to a formula is loaded when its calculator is opened. Everything is a classic
-//! script, so that it works from a file.
+//! A page loads one script; that of a formula is loaded when its calculator is opened. Everything is a classic script,
+//! so that it works from `file://`.
 
 mod check;
 mod sizes;
@@ -21,20 +21,20 @@ use crate::export;
 /// The folder in the book.
 const FOLDER: &str = "calculator";
 
-/// How an entry's calculator begins; pages without it need no script.
+/// The beginning of an entry's calculator; pages without it need no script.
 const MARK: &str = "<details class=\"calculator\"";
 
-/// What a page loads: it opens calculators.
+/// The script of a page, which opens calculators.
 const START: &str = include_str!("start.js");
 
-/// What is loaded when the first calculator is opened, in order.
+/// The scripts loaded when the first calculator is opened, in order.
 const PARTS: [&str; 4] =
     [include_str!("numbers.js"), include_str!("plot.js"), include_str!("copy.js"), include_str!("panel.js")];
 
-/// How many random cases the menu has.
+/// The number of random cases in the menu.
 const RANDOM: usize = 1;
 
-/// What stands before the cases in the script of a formula.
+/// The text before the cases in the script of a formula.
 const CASES: &str = "cases:";
 
 const STYLE: &str = include_str!("calculator.css");
@@ -54,7 +54,7 @@ pub(crate) fn of(formula: &'static dyn AnyFormula, golden: Option<&File>) -> Cal
     ))
 }
 
-/// A line for each golden case: identifier, flag, comment, and the components that differ from those of the case before.
+/// One line per golden case: identifier, flag, comment, and the components that differ from the previous case.
 fn cases(formula: &dyn AnyFormula, golden: &File) -> String {
     let (mut before, mut random): (Vec<f64>, _) = (Vec::new(), 0);
     let line = |case: &Record| {
@@ -103,7 +103,7 @@ pub(crate) fn folded(entry: &Entry) -> String {
     }
 }
 
-/// What the head of a page with calculators needs; nothing for other pages. `to_root` is the way to the root of the book.
+/// The additions to the head of a page with calculators; empty for other pages. `to_root` is the path to the root of the book.
 pub(crate) fn head(page: &str, to_root: &str) -> String {
     if !page.contains(MARK) {
         return String::new();
@@ -115,7 +115,7 @@ pub(crate) fn head(page: &str, to_root: &str) -> String {
     )
 }
 
-/// A script or a style sheet without comments and indentation; no text in it goes over several lines.
+/// A script or a style sheet without comments and indentation; none of its strings spans several lines.
 fn short(text: &str) -> String {
     let lines = text
         .lines()
@@ -124,7 +124,7 @@ fn short(text: &str) -> String {
     each(lines, |line| format!("{line}\n"))
 }
 
-/// The scripts and the style sheet by their paths in the book, if there is a calculator at all.
+/// The scripts and the style sheet with their paths in the book, if there are any calculators.
 pub(crate) fn files(entries: &[Entry]) -> Vec<(String, String)> {
     let script = |entry: &Entry| match &entry.calculator {
         Calculator::Script(text) => Some((format!("{FOLDER}/{}.js", entry.id), short(text))),

@@ -1,4 +1,4 @@
-//! How much pages load.
+//! The amount of data that pages load.
 
 use std::fmt;
 use std::fs;
@@ -10,17 +10,17 @@ use serde_json::Value;
 use super::{CASES, FOLDER};
 use crate::book::browser::Browser;
 
-/// What the program and one formula should have together.
+/// The target for the size of the program with one formula.
 pub(super) const WANTED: u64 = 15_000;
 
 /// Compressed bytes.
 #[derive(Default)]
 pub(super) struct Sizes {
-    /// What a page loads.
+    /// The scripts of a page.
     pub(super) page: u64,
-    /// With what the first calculator that is opened loads beside its formula.
+    /// Including what the first opened calculator loads in addition to its formula.
     pub(super) shared: u64,
-    /// Of the code of every formula, and with the golden cases of its menu.
+    /// The code of every formula, without and with the golden cases of its menu.
     pub(super) all: Vec<([u64; 2], String)>,
 }
 

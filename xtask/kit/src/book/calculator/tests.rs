@@ -1,4 +1,4 @@
-//! A small book whose calculators are used, as it is and with planted faults.
+//! A small book whose calculators are checked, unmodified and with planted faults.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -28,7 +28,7 @@ struct Book {
 }
 
 impl Book {
-    /// None where there is no browser, unless one is required.
+    /// `None` if there is no browser and none is required.
     fn new() -> Option<Self> {
         if !browser::is_here_or_not_required().unwrap() {
             eprintln!("skipped: chromium is not here");
@@ -65,7 +65,7 @@ impl Book {
         use_all(&self.project, &self.out(), browser)
     }
 
-    /// What the check says when a text of a script is another one; the script is mended afterwards.
+    /// The result of the check with a text of a script replaced; the script is restored afterwards.
     fn with(&self, browser: &mut Browser, [script, from, to]: [&str; 3]) -> String {
         let path = self.out().join("calculator").join(script);
         let text = fs::read_to_string(&path).unwrap();
@@ -124,7 +124,7 @@ fn calculators_show_the_numbers_of_rust_and_a_planted_fault_is_named() {
     }
     let found = book.with(&mut browser, [friction, "jointproof.define", "jointproof.defined"]);
     assert!(found.starts_with("error"), "{found}");
-    // A script too many, and one that is too long however it is compressed.
+    // A superfluous script, and one that is too long even when compressed.
     fs::write(book.out().join("calculator/slot.more.js"), "").unwrap();
     let digits: String = (1..9000_u32).map(|k| k.wrapping_mul(2_654_435_769).to_string()).collect();
     let found = book.with(&mut browser, ["runtime.js", "'use strict';\n", &format!("'use strict';\n// {digits}\n")]);
@@ -133,7 +133,7 @@ fn calculators_show_the_numbers_of_rust_and_a_planted_fault_is_named() {
     }
 }
 
-/// The copied calls, compiled with the export and executed, give the bits of Rust.
+/// The copied calls, compiled with the export and executed, give the same bits as Rust.
 #[test]
 fn what_is_copied_compiles_and_gives_the_same_numbers() {
     let Some(book) = Book::new() else { return };
@@ -158,7 +158,7 @@ fn what_is_copied_compiles_and_gives_the_same_numbers() {
     }
 }
 
-/// What is compared: the Jacobian, or the first output where it is automatic.
+/// The numbers compared: the Jacobian, or the first output if it is automatic.
 fn compared(formula: &dyn AnyFormula) -> &'static str {
     if formula.spec().is_closed() { "jacobian" } else { formula.outputs()[0].name }
 }

@@ -1,6 +1,6 @@
-//! Search: an index that knows what formulas, symbols and outputs are called, in the place of mdBook's.
+//! Search: an index that knows the names of formulas, symbols and outputs, in place of mdBook's.
 //!
-//! mdBook collects the texts of all sections; its script shows the results. Between them stands `search.js`, which ranks.
+//! mdBook collects the texts of all sections; its script shows the results. In between, `search.js` ranks them.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -16,16 +16,16 @@ use super::tables;
 /// The script in the book.
 const SCRIPT: &str = include_str!("search.js");
 
-/// What mdBook's pages load, and ours in its place.
+/// The script loaded by mdBook's pages, and ours in its place.
 const THEIRS: &str = "elasticlunr.min.js";
 const OURS: &str = "search.js";
 
-/// The index of mdBook: a script that holds JSON within quotes.
+/// The index of mdBook: a script that contains JSON within quotes.
 const INDEX: &str = "searchindex.js";
 const BEFORE: &str = "window.search = Object.assign(window.search, JSON.parse('";
 const AFTER: &str = "'));";
 
-/// The most characters of a section that are searched.
+/// The largest number of characters of a section that are searched.
 const LONGEST: usize = 6000;
 
 /// A page that loads our script.
@@ -33,10 +33,10 @@ pub(crate) fn in_page(page: &str) -> String {
     page.replace(&format!("{THEIRS}\""), &format!("{OURS}\""))
 }
 
-/// Puts our script and our index in the place of mdBook's, where there is one.
+/// Replaces mdBook's script and index, if there are any, by ours.
 ///
 /// # Errors
-/// If the index is not what mdBook writes, or a file cannot be written.
+/// If the index does not have the format of mdBook, or a file cannot be written.
 pub(crate) fn replace(out: &Path, content: &Content) -> Result<()> {
     let Ok(text) = fs::read_to_string(out.join(INDEX)) else { return Ok(()) };
     let mut index = read(&text).context("mdBook writes its search index in another way")?;
@@ -47,7 +47,7 @@ pub(crate) fn replace(out: &Path, content: &Content) -> Result<()> {
     let urls: Vec<_> = pages.iter().map(|page| page[0].clone()).collect();
     settings.insert("doc_urls".into(), urls.into());
     settings.insert("index".into(), json!({ "pages": pages }));
-    // JSON is JavaScript.
+    // JSON is valid JavaScript.
     write(&out.join(INDEX), format!("window.search = Object.assign(window.search, {index});\n").as_bytes())?;
     write(&out.join(OURS), format!("'use strict';\n(() => {{\n{SCRIPT}}})();\n").as_bytes())?;
     Ok(fs::remove_file(out.join(THEIRS))?)
@@ -58,8 +58,8 @@ fn read(text: &str) -> Option<Value> {
     serde_json::from_str(&quoted.replace("\\'", "'").replace("\\\\", "\\")).ok()
 }
 
-/// What is found: sections, the lines of the table of symbols, and outputs of scenes. Each has its address, title, path, text
-/// and names.
+/// The searchable items: sections, the lines of the table of symbols, and outputs of scenes. Each has its address,
+/// title, path, text and names.
 fn pages(index: &Value, content: &Content, symbols_page: Option<&str>) -> Option<Vec<[Value; 5]>> {
     let docs = index["index"]["documentStore"]["docs"].as_object()?;
     let mut sections = Vec::new();
@@ -82,7 +82,7 @@ fn symbols_page(out: &Path, index: &Value) -> Option<String> {
     pages.into_iter().find(has_it).map(String::from)
 }
 
-/// A section; of an entry, with what it is called and what it gives and takes.
+/// A section; for an entry, with its names, outputs and inputs.
 fn section(content: &Content, url: &str, [title, path, body]: [String; 3]) -> [Value; 5] {
     let id = url.split_once('#').map_or("", |(_, anchor)| anchor);
     let body: String = body.chars().take(LONGEST).collect();
@@ -97,12 +97,12 @@ fn section(content: &Content, url: &str, [title, path, body]: [String; 3]) -> [V
             json!(if is_list { json!({ "kind": "list" }) } else { json!({}) }),
         ];
     };
-    // The identifier stands in the heading too.
+    // The heading contains the identifier too.
     let name = title.replace(&entry.id, "").trim().to_owned();
     [url.into(), title.into(), path.into(), body.into(), names(content, entry, &name)]
 }
 
-/// Pages that repeat what others say.
+/// Pages that repeat content of others.
 const LISTS: [&str; 5] = ["symbols", "kinks", "evidence", "traceability", "sources"];
 
 fn names(content: &Content, entry: &Entry, title: &str) -> Value {
@@ -111,7 +111,7 @@ fn names(content: &Content, entry: &Entry, title: &str) -> Value {
     };
     let served = content.exhibits.served.iter().filter(|served| served.formula == entry.id);
     let serves: BTreeSet<_> = served.map(|served| &served.output).collect();
-    // The last part of the identifier, which several formulas may have.
+    // The last part of the identifier, which several formulas may share.
     let tail = entry.id.rsplit('.').next().map(String::from);
     let gives = [both(&entry.outputs), tail.into_iter().collect()].concat();
     json!({
@@ -120,7 +120,7 @@ fn names(content: &Content, entry: &Entry, title: &str) -> Value {
     })
 }
 
-/// A line for each symbol, at its place in the table of all.
+/// An item for each symbol, at its location in the table of all symbols.
 fn symbols(content: &Content, page: &str) -> Vec<[Value; 5]> {
     let line = |row: &tables::SymbolRow<'_>| {
         let tables::SymbolRow { anchor, symbol, users } = row;
@@ -142,7 +142,7 @@ fn symbols(content: &Content, page: &str) -> Vec<[Value; 5]> {
     tables::symbol_rows(content).iter().map(line).collect()
 }
 
-/// LaTeX of a symbol in plain letters, as a result shows it.
+/// The LaTeX of a symbol in plain letters, as shown in results.
 fn shown(latex: &str) -> String {
     let mut text = latex.to_owned();
     for (command, letter) in GREEK {
@@ -178,7 +178,7 @@ const GREEK: [(&str, &str); 21] = [
     ("omega", "ω"),
 ];
 
-/// A line for each output of scenes, at the first table that has it.
+/// An item for each output of scenes, at the first table that contains it.
 fn outputs(content: &Content) -> Vec<[Value; 5]> {
     let mut all: BTreeMap<&str, (&str, Vec<&str>)> = BTreeMap::new();
     for served in &content.exhibits.served {

@@ -1,4 +1,4 @@
-//! What entries and generated tables show of made-up data, of which no two numbers are the same.
+//! The contents of entries and generated tables for made-up data in which no two numbers are the same.
 
 use super::*;
 use crate::book::content::{Evidence, GoldenCounts, Kink, Source, TestRef, Worked};
@@ -21,7 +21,7 @@ fn symbol(name: &str, latex: &str, shape: &str, unit: &str, allowed: &str) -> Sy
     Symbol { name: text(name), latex: text(latex), shape, unit, allowed, meaning: format!("meaning of {name}") }
 }
 
-/// An entry whose every part is there and says what it is.
+/// An entry in which every part is present and named after itself.
 fn entry(id: &str, evidence: Evidence) -> Entry {
     let source = |place: &str| Source {
         title: format!("Document of {}", &id[..1]),
@@ -92,7 +92,7 @@ fn everything() -> Content {
     content
 }
 
-/// A page in words: a line a row, item or paragraph, cells apart, formulas as LaTeX, drawings left out.
+/// A page as text: one line per row, item or paragraph, with cells separated, formulas as LaTeX, and drawings omitted.
 fn in_words(page: &str) -> String {
     let main = page.split("<main>").nth(1).and_then(|rest| rest.split("</main>").next()).unwrap();
     let mut text = String::new();
@@ -129,7 +129,7 @@ fn entries_and_tables_show_the_data_that_they_are_made_from() {
     expect_file!["../../../tests/printed/book.txt"].assert_eq(&in_words(&page));
 }
 
-/// Of another version of the code, and of none.
+/// For evidence of another version of the code, and for no evidence.
 #[test]
 fn what_is_not_of_this_version_is_said_to_be_so() {
     let root = tempfile::tempdir().unwrap();

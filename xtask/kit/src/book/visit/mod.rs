@@ -1,4 +1,4 @@
-//! The built book in a browser: barriers, widths, weights, search, keyboard; and pictures of pages.
+//! The built book in a browser: accessibility, widths, sizes, search, keyboard; and screenshots of pages.
 
 mod queries;
 mod screens;
@@ -22,29 +22,29 @@ use crate::console::{self, count};
 use crate::project::Project;
 use queries::Answers;
 
-/// What is done in a page.
+/// The script executed in a page.
 const VISIT: &str = include_str!("visit.js");
 
-/// Where this says where `axe.min.js` is, every page is searched for barriers.
+/// If this variable gives the path of `axe.min.js`, every page is checked for accessibility.
 const AXE: &str = "JOINTPROOF_AXE";
 
-/// Compressed bytes that the first view of a chapter should load at most.
+/// The target for the compressed bytes loaded by the first view of a chapter.
 const WANTED: u64 = 400_000;
 
-/// Listings are alike: the longest stands for all.
+/// Listings are alike: only the longest is checked.
 const LISTINGS: &str = "source";
 
-/// What was found.
+/// The result of the checks.
 #[derive(Default)]
 pub(crate) struct Visited {
     pages: usize,
-    /// Pages searched for barriers, in light and in dark colours.
+    /// Pages checked for accessibility, in light and in dark colours.
     searched: usize,
     controls: usize,
     answers: Option<Answers>,
     /// Compressed bytes of the first view of each chapter.
     weights: BTreeSet<(u64, String)>,
-    /// What is off, with the pages where it is.
+    /// The faults, with the pages where they occur.
     off: BTreeMap<String, Vec<String>>,
 }
 
@@ -59,7 +59,7 @@ impl Visited {
         }
     }
 
-    /// Pages that load too much are off.
+    /// Records pages that load too much as faults.
     fn note_heavy(&mut self) {
         let heavy: Vec<_> = self.weights.iter().filter(|(weight, _)| *weight > WANTED).cloned().collect();
         for (weight, page) in heavy {
@@ -67,7 +67,7 @@ impl Visited {
         }
     }
 
-    /// With what was found in other pages.
+    /// Merges the results of other pages.
     fn and(mut self, other: Self) -> Self {
         self.pages += other.pages;
         self.searched += other.searched;
@@ -101,7 +101,7 @@ impl fmt::Display for Visited {
     }
 }
 
-/// Looks at every page of the book in this folder; `None` where there is no browser, unless one is required.
+/// Checks every page of the book in this folder; `None` if there is no browser and none is required.
 ///
 /// # Errors
 /// If the browser or a page fails.
@@ -118,15 +118,15 @@ fn browsers() -> Result<[Browser; BROWSERS]> {
     Ok([Browser::start()?, Browser::start()?])
 }
 
-/// Looks at every page, several browsers at the same time, and with this script for barriers if there is one.
+/// Checks every page, with several browsers in parallel, and for accessibility if there is a script for it.
 fn visit(project: &Project, out: &Path, browsers: &mut [Browser; BROWSERS], axe: Option<&str>) -> Result<Visited> {
     let out = out.canonicalize()?;
     let mut pages = chapters(&out)?;
-    // It is shown in the place of a page that is missing, so its links start at the root of a server.
+    // It is served in place of a missing page, so its links start at the root of a server.
     pages.retain(|page| !page.ends_with("404.html"));
     pages.extend(["index.html", "print.html"].map(|name| out.join(name)));
     pages.extend(longest(&out.join(LISTINGS))?);
-    // The largest first, so that all browsers are done at about the same time.
+    // The largest first, so that all browsers finish at about the same time.
     pages.sort_by_key(|page| std::cmp::Reverse(page.metadata().map_or(0, |metadata| metadata.len())));
     let bar = console::progress("pages", pages.len());
     let next = AtomicUsize::new(0);
@@ -158,10 +158,10 @@ fn visit(project: &Project, out: &Path, browsers: &mut [Browser; BROWSERS], axe:
     Ok(visited)
 }
 
-/// So many browsers look at pages at the same time.
+/// The number of browsers that check pages in parallel.
 const BROWSERS: usize = 2;
 
-/// The smallest chapter that has sliders and calculators: every sort of control is on it.
+/// The smallest chapter with sliders and calculators, which contains every kind of control.
 fn with_controls(pages: &[PathBuf]) -> Result<Option<PathBuf>> {
     // They are sorted, the largest first; the first page repeats a chapter.
     for page in pages.iter().rev().filter(|page| !page.ends_with("index.html")) {
@@ -173,7 +173,7 @@ fn with_controls(pages: &[PathBuf]) -> Result<Option<PathBuf>> {
     Ok(None)
 }
 
-/// The longest file of a folder and below.
+/// The longest file in a folder and below it.
 fn longest(folder: &Path) -> Result<Option<PathBuf>> {
     let mut found: Option<(u64, PathBuf)> = None;
     if folder.exists() {
@@ -187,26 +187,26 @@ fn longest(folder: &Path) -> Result<Option<PathBuf>> {
     Ok(found.map(|(_, path)| path))
 }
 
-/// A visit under way.
+/// A visit in progress.
 struct Visit<'a> {
     browser: &'a mut Browser,
     out: &'a Path,
     axe: Option<&'a str>,
     visited: Visited,
-    /// Compressed bytes of files that were met.
+    /// Compressed sizes of the files loaded so far.
     sizes: BTreeMap<PathBuf, u64>,
 }
 
-/// What a page has loaded.
+/// The files loaded by a page.
 #[derive(serde::Deserialize)]
 struct Loaded {
     files: Vec<String>,
-    /// Family, style and range of characters.
+    /// Family, style and character range.
     fonts: Vec<[String; 3]>,
 }
 
 impl Visit<'_> {
-    /// One page: on a phone in light colours, then on a desk in both.
+    /// Checks one page: on a phone in light colours, then on a desktop in both.
     fn page(&mut self, page: &Path) -> Result<()> {
         let name = page.strip_prefix(self.out).unwrap_or(page).display().to_string();
         self.visited.pages += 1;
@@ -219,7 +219,7 @@ impl Visit<'_> {
         }
         self.letters(&name)?;
         self.note(&name, "", "wider()")?;
-        // It repeats all chapters, whose folded parts and colours are looked at one by one.
+        // It repeats all chapters, whose folded parts and colours are checked individually.
         let repeats = page.ends_with("print.html");
         if !repeats {
             self.browser.evaluate("unfold()")?;
@@ -241,7 +241,7 @@ impl Visit<'_> {
         self.note(&name, "with less motion wanted, ", "moving()")
     }
 
-    /// Characters of formulas that the mathematical font does not have.
+    /// Checks that the mathematical font contains all characters of formulas.
     fn letters(&mut self, name: &str) -> Result<()> {
         let css = fs::read_to_string(self.out.join("fonts/fonts.css")).unwrap_or_default();
         let is_it = |face: &&str| declared(face, "font-family").is_some_and(|family| family == MATHEMATICAL);
@@ -254,7 +254,7 @@ impl Visit<'_> {
         Ok(())
     }
 
-    /// What an expression finds is off.
+    /// Records everything that an expression finds as faults.
     fn note(&mut self, name: &str, when: &str, expression: &str) -> Result<()> {
         let found: Vec<String> = serde_json::from_value(self.browser.evaluate(expression)?)?;
         self.visited.note(name, found.into_iter().map(|found| format!("{when}{found}")));
@@ -262,7 +262,7 @@ impl Visit<'_> {
         Ok(())
     }
 
-    /// Compressed bytes of a page and of all that it loads.
+    /// Compressed bytes of a page and of everything it loads.
     fn weight(&mut self, page: &Path) -> Result<u64> {
         let loaded: Loaded = serde_json::from_value(self.browser.evaluate("loaded()")?)?;
         let path = |url: &String| url.strip_prefix("file://").map(PathBuf::from);
@@ -281,7 +281,7 @@ impl Visit<'_> {
         Ok(sum)
     }
 
-    /// Of a text, compressed; fonts are compressed already.
+    /// The size of a file; text is compressed, fonts are compressed already.
     fn size(&mut self, file: &Path) -> Result<u64> {
         let bytes =
             fs::read(file).with_context(|| format!("the page loads {}, which cannot be read", file.display()))?;
@@ -301,7 +301,7 @@ fn open(browser: &mut Browser, page: &Path) -> Result<()> {
     browser.evaluate(VISIT).map(drop)
 }
 
-/// The files of fonts that `fonts.css` gives for these families, styles and ranges.
+/// The font files that `fonts.css` assigns to these families, styles and ranges.
 fn fonts(folder: &Path, loaded: &[[String; 3]]) -> Result<Vec<PathBuf>> {
     let css = fs::read_to_string(folder.join("fonts.css")).unwrap_or_default();
     let faces: Vec<&str> = css.split("@font-face").collect();
@@ -319,13 +319,13 @@ fn fonts(folder: &Path, loaded: &[[String; 3]]) -> Result<Vec<PathBuf>> {
     Ok(files)
 }
 
-/// What a face of `fonts.css` declares.
+/// A declaration in a font face of `fonts.css`.
 fn declared(face: &str, key: &str) -> Option<String> {
     let rest = face.split_once(&format!("{key}:"))?.1;
     Some(rest.split(';').next()?.trim().replace('"', ""))
 }
 
-/// Whether a character is in a range as CSS writes it: `U+20-7E, U+131`.
+/// Whether a character is in a range in CSS notation: `U+20-7E, U+131`.
 fn is_within(c: char, range: &str) -> bool {
     let number = |text: &str| u32::from_str_radix(text, 16).ok();
     range.split(',').filter_map(|part| part.trim().strip_prefix("U+")).any(|part| {
@@ -340,7 +340,7 @@ const MATHEMATICAL: &str = "STIX Two Math";
 /// Every character.
 const ANY: &str = "U+0-10FFFF";
 
-/// Goes through a page with the tabulator: every control is reached, and is marked when it is.
+/// Steps through a page with the tab key: every control must be reached, and have a visible focus.
 fn keyboard(browser: &mut Browser, page: &Path, visited: &mut Visited) -> Result<()> {
     let name = page.file_name().unwrap_or_default().to_string_lossy().into_owned();
     browser.screen(DESK)?;

@@ -1,4 +1,4 @@
-//! What a reader would type, and which page must come first: `book/queries.txt`.
+//! Queries typed by readers, and the page that must come first: `book/queries.txt`.
 
 use std::fmt;
 use std::fs;
@@ -11,10 +11,10 @@ use crate::project::Project;
 
 const LIST: &str = "book/queries.txt";
 
-/// So many of 40 must be right.
+/// The required number of correct answers, out of 40.
 const ENOUGH: (usize, usize) = (38, 40);
 
-/// What search answered.
+/// The answers of the search.
 #[derive(Default)]
 pub(super) struct Answers {
     asked: usize,
@@ -35,7 +35,7 @@ impl fmt::Display for Answers {
     }
 }
 
-/// Types every query into the book's search, by `script`; `None` if the project has no list.
+/// Types every query into the book's search, using `script`; `None` if the project has no list.
 pub(super) fn ask(project: &Project, out: &Path, browser: &mut Browser, script: &str) -> Result<Option<Answers>> {
     let Ok(list) = fs::read_to_string(project.root().join(LIST)) else { return Ok(None) };
     let queries = parsed(&list)?;
@@ -62,7 +62,7 @@ pub(super) fn ask(project: &Project, out: &Path, browser: &mut Browser, script: 
     Ok(Some(answers))
 }
 
-/// Each line is `query => page`, or several pages with `or` between them.
+/// Each line is `query => page`, or several pages separated by `or`.
 fn parsed(list: &str) -> Result<Vec<(&str, Vec<&str>)>> {
     let mut queries = Vec::new();
     for (at, line) in list.lines().enumerate().filter(|(_, line)| !line.is_empty() && !line.starts_with('#')) {

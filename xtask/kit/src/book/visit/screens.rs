@@ -1,4 +1,4 @@
-//! Pictures of pages, to be looked at: `book/screens.txt` names the pages.
+//! Screenshots of the pages listed in `book/screens.txt`, to be viewed by people.
 
 use std::fs;
 use std::path::Path;
@@ -11,7 +11,7 @@ use crate::project::Project;
 
 const LIST: &str = "book/screens.txt";
 
-/// How each page is looked at.
+/// The settings in which each page is shown.
 const WAYS: [(&str, Screen, bool); 4] = [
     ("desk-light", DESK, false),
     ("desk-dark", DESK, true),
@@ -19,7 +19,7 @@ const WAYS: [(&str, Screen, bool); 4] = [
     ("phone-dark", PHONE, true),
 ];
 
-/// Writes a PNG for each page of the list and way; answers how many, or `None` where there is no browser.
+/// Writes a PNG for each page of the list and each setting; returns how many, or `None` if there is no browser.
 ///
 /// # Errors
 /// If a page or a picture fails.
@@ -34,7 +34,7 @@ pub(crate) fn take(project: &Project, out: &Path, folder: &Path) -> Result<Optio
     let mut count = 0;
     let pages = list.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with('#'));
     for (number, page) in (1..).zip(pages) {
-        // A page, its anchor, and what is done in it before the picture is taken.
+        // A page, its anchor, and the script to run before the screenshot.
         let (page, script) = page.split_once(" ! ").unwrap_or((page, ""));
         for (way, screen, dark) in WAYS {
             browser.screen(screen)?;

@@ -1,4 +1,4 @@
-//! A small book that is looked at in a browser, as it is and with planted faults.
+//! A small book that is checked in a browser, unmodified and with planted faults.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -34,7 +34,7 @@ struct Book {
 }
 
 impl Book {
-    /// None where there is no browser, unless one is required.
+    /// `None` if there is no browser and none is required.
     fn new(chapter: &str, queries: &str) -> Option<Self> {
         if !browser::is_here_or_not_required().unwrap() {
             eprintln!("skipped: chromium is not here");
@@ -71,12 +71,12 @@ impl Book {
     }
 }
 
-/// What searches for barriers, if that is here.
+/// The accessibility script, if it is available.
 fn real_axe() -> Option<String> {
     std::env::var_os(super::AXE).map(|path| fs::read_to_string(path).unwrap())
 }
 
-/// Says in which colours, on how wide a screen and with which options it was asked.
+/// Reports the colours, the screen width and the options with which it was called.
 const FAKE_AXE: &str = "window.axe = { run: async (page, options) => {
     const colours = matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light';
     const found = (id, impact) => ({ id, impact, nodes: [{ target: ['main'], html: '<main>' }] });
@@ -84,7 +84,7 @@ const FAKE_AXE: &str = "window.axe = { run: async (page, options) => {
     return { violations: [found(`${colours} ${innerWidth} ${JSON.stringify(others)}`, 'serious'), found('small', 'minor')] };
 } };";
 
-/// Errors, what is too wide at once or when it is unfolded, and what the keyboard cannot do.
+/// Errors, content that is too wide immediately or when unfolded, and controls that the keyboard cannot operate.
 const PLANTED: &str = "<p style=\"width: 500px\">wide</p><details><summary>more</summary><p style=\"width: 600px\">folded</p></details>\
     <script>console.error(['dark)', 'reduced-motion)'].some((q) => matchMedia('(prefers-color-scheme: ' + q).matches || \
     matchMedia('(prefers-' + q).matches) ? 'odd' : 'planted')</script><img src=\"no.png\" alt=\"no\">\
@@ -104,13 +104,13 @@ fn a_good_book_is_well_and_planted_faults_are_named() {
     let page = book.out().join("coulomb.html");
     let good = fs::read_to_string(&page).unwrap();
     fs::write(&page, good.replacen("</main>", &format!("{PLANTED}</main>"), 1)).unwrap();
-    // The keyboard is tried on the smaller one of two pages.
+    // The keyboard is tested on the smaller one of two pages.
     let whole = book.out().join("print.html");
     let longer = fs::read_to_string(&whole).unwrap() + &" ".repeat(5000);
     fs::write(&whole, longer).unwrap();
     let said = book.said(&mut browsers, None);
     let lines: Vec<_> = said.lines().map(str::trim).collect();
-    // What goes wrong when a page is opened goes wrong again when the keyboard is tried.
+    // Errors when a page is opened occur again when the keyboard is tested.
     for (begin, end) in [
         ("the page is 1", "<p style=\"width: 500px\">wide</p> (1 page, first coulomb.html)"),
         ("unfolded, the page is 2", " (1 page, first coulomb.html)"),
@@ -251,7 +251,7 @@ fn a_page_weighs_all_that_it_loads_and_each_file_once() {
     let (weight, parts, binary) = visit_of(&page);
     assert!(parts.iter().all(|size| (10..200).contains(size)), "{parts:?}");
     assert_eq!((weight, binary), (parts.iter().sum(), 1000));
-    // Fonts belong to it.
+    // The size includes fonts.
     let (weight, [page, ..], _) = visit_of(&book.out().join("coulomb.html"));
     let loaded: super::Loaded = serde_json::from_value(browser.evaluate("loaded()").unwrap()).unwrap();
     let fonts = fonts(&book.out().join("fonts"), &loaded.fonts).unwrap();

@@ -1,7 +1,7 @@
-//! Drivers around routines whose interface a program of finite elements prescribes.
+//! Drivers for routines whose interface is prescribed by a finite-element program.
 //!
-//! Every driver is one program, `answer.f90`, with the call of the interface in it: a template has notes for its head, a line
-//! `---`, and a subroutine that computes values and derivatives at a point.
+//! Every driver is one program, `answer.f90`, that contains the call of the interface: a template consists of notes
+//! for its head, a line `---`, and a subroutine that computes values and derivatives at a point.
 
 use crate::outcome::Usage;
 use jointproof::catalog::AnyFormula;
@@ -26,25 +26,25 @@ pub(crate) enum Abi {
     UmpcUser,
 }
 
-/// What a template has for `{…}`.
+/// The replacements of `{…}` in a template.
 type Places = &'static [(&'static str, &'static str)];
 
-/// An interface as drivers see it.
+/// An interface, as used by drivers.
 struct Interface {
     routine: &'static str,
     template: &'static str,
-    /// The formulas that a routine of it computes.
+    /// The formulas that routines with this interface compute.
     computes: &'static [(&'static str, &'static [Places])],
 }
 
 const PLANE: Places = &[("dim", "2"), ("_2d", "_2d"), ("multipliers", "the multiplier")];
 const SPACE: Places = &[("dim", "3"), ("_2d", ""), ("multipliers", "both multipliers")];
 
-/// What is asked of an element.
+/// The quantities computed by an element.
 const FORCES: Places = &[("multiplier", "x(moving + 1:)"), ("rows", "1:moving")];
 const DISTANCES: Places = &[("multiplier", "1"), ("rows", "moving + 1:ndofel")];
 
-/// The properties of an interaction, and what is asked of it.
+/// The properties of an interaction, and the quantities it computes.
 const LINEAR: Places = &[
     ("props", "the stiffness of the pressure, that of friction while it sticks, and the friction coefficient"),
     ("nprops", "3"),
@@ -134,7 +134,7 @@ impl Abi {
 /// The driver of an interface.
 ///
 /// # Errors
-/// That a routine of it computes other formulas.
+/// If routines with this interface do not compute the formula.
 pub(crate) fn text(abi: Abi, formula: &dyn AnyFormula) -> Result<String, Usage> {
     let Interface { routine, template, computes } = abi.interface();
     let id = formula.spec().id;
@@ -151,7 +151,7 @@ pub(crate) fn text(abi: Abi, formula: &dyn AnyFormula) -> Result<String, Usage> 
     Ok(filled_in.fold(include_str!("abi/answer.f90").to_owned(), |text, (name, what)| filled(&text, name, what)))
 }
 
-/// A template with a text for `{name}`, whose lines are indented as the first.
+/// A template with `{name}` replaced by a text, whose lines are indented like the first.
 fn filled(template: &str, name: &str, what: &str) -> String {
     let hole = format!("{{{name}}}");
     let line = |line: &str| match line.split_once(&hole) {

@@ -1,4 +1,4 @@
-//! C, and C++ that C compilers need not understand.
+//! C, and C++ where C compilers need not understand it.
 
 use super::plan::{Driver, name, placed};
 use jointproof::formula::Field;

@@ -70,7 +70,7 @@ fn body(driver: &Driver) -> String {
     )
 }
 
-/// A list over as many lines as it takes.
+/// A list, broken into as many lines as necessary.
 fn folded(items: &[String]) -> String {
     let mut lines = vec![String::new()];
     for item in items {

@@ -1,4 +1,4 @@
-//! Programs that answer `check`, complete but for the call of the user's own code.
+//! Programs that answer `check`, complete except for the call of the user's own code.
 
 pub(super) mod abi;
 mod c;
@@ -20,7 +20,7 @@ pub(super) enum Lang {
     Julia,
 }
 
-/// The program; `None` where the formula is not exported to this language.
+/// The program; `None` if the formula is not exported to this language.
 pub(super) fn text(driver: &Driver, lang: Lang) -> Option<String> {
     match lang {
         Lang::C => Some(c::text(driver, false)),

@@ -1,30 +1,30 @@
-//! What every driver says, whatever its language.
+//! The parts of a driver that do not depend on its language.
 
 use jointproof::catalog::AnyFormula;
 use jointproof::formula::Field;
 use judge::{Wanted, sizes};
 
-/// What a driver is for.
+/// The specification of a driver.
 pub(crate) struct Driver {
     pub(super) formula: &'static dyn AnyFormula,
-    /// Whether the Jacobian is answered, too.
+    /// Whether the Jacobian is computed, too.
     pub(super) with_jacobian: bool,
-    /// Whether it calls what `export` prints, as an example of what works.
+    /// Whether it calls the exported code, as a working example.
     pub(super) is_exported: bool,
 }
 
 impl Driver {
-    /// Of a formula; `None` for products, which have no driver.
+    /// A driver for a formula; `None` for products, which have no driver.
     pub(crate) fn new(formula: &'static dyn AnyFormula, wanted: Wanted, is_exported: bool) -> Option<Self> {
         (wanted != Wanted::Products).then_some(Self { formula, with_jacobian: wanted == Wanted::Jacobian, is_exported })
     }
 
-    /// A text that only a driver with a Jacobian has.
+    /// A text that is only in drivers with a Jacobian.
     pub(super) fn if_jacobian(&self, text: &'static str) -> &'static str {
         if self.with_jacobian { text } else { "" }
     }
 
-    /// A line that only a driver of the exported formula has.
+    /// A line that is only in drivers for exported code.
     pub(super) fn exported_line(&self, line: impl Fn(&str) -> String) -> String {
         if self.is_exported { line(&self.stem()) } else { String::new() }
     }
@@ -42,7 +42,7 @@ impl Driver {
         format!("jp_{}_{}", self.stem(), if self.with_jacobian { "jacobian" } else { "value" })
     }
 
-    /// What stands at the head of a driver.
+    /// The comment at the head of a driver.
     pub(super) fn head(&self) -> Vec<String> {
         let (spec, wanted) = (self.formula.spec(), if self.with_jacobian { "" } else { " --wanted value" });
         let mut lines = vec![
@@ -61,7 +61,7 @@ fn described(role: &str, field: &Field) -> String {
     format!("{role} {}{shape} [{}] {}", field.name, field.quantity.unit, field.quantity.meaning)
 }
 
-/// The fields, each with the place of its first component.
+/// The fields, each with the index of its first component.
 pub(super) fn placed(fields: &'static [Field]) -> impl Iterator<Item = (&'static Field, usize)> {
     let mut next = 0;
     fields.iter().map(move |field| {
@@ -71,7 +71,7 @@ pub(super) fn placed(fields: &'static [Field]) -> impl Iterator<Item = (&'static
     })
 }
 
-/// Words that no name may be in any of these languages.
+/// Words reserved in one of these languages.
 const RESERVED: [&str; 4] = ["lambda", "in", "real", "code"];
 
 /// A field's name in a program.

@@ -4,8 +4,8 @@ use expect_test::expect_file;
 use jointproof::catalog::find;
 use judge::Wanted;
 
-/// Programs in every language, kept in `tests/printed/check_drivers.txt`: of vectors, of a name that is a word of a language,
-/// and of more names than a line has room for.
+/// Drivers in every language, kept in `tests/printed/check_drivers.txt`: for vectors, for a name that is reserved in a
+/// language, and for more names than fit on a line.
 #[test]
 fn what_a_driver_is_in_every_language() {
     let of = |id: &str, lang: Lang, wanted: Wanted, is_exported: bool| {

@@ -5,7 +5,7 @@ use super::super::program::folded;
 use super::super::recorded::{Recorded, Text, stem};
 use jointproof::formula::Field;
 
-/// So many formulas stand in one file.
+/// The number of formulas in one file.
 const FORMULAS: usize = 12;
 
 /// Reads points.bin, writes found.bin.
@@ -71,7 +71,7 @@ pub(super) fn arguments(one: &Recorded, outputs: &str) -> String {
     folded(&format!("            {}", all.join(", ")), "").join("\n")
 }
 
-/// How many numbers go in and come out, and how many entries the Jacobian has.
+/// The counts of inputs, outputs and Jacobian entries.
 pub(super) fn counts(one: &Recorded) -> [usize; 3] {
     let count = |fields: &[Field]| fields.iter().map(Field::len).sum::<usize>();
     [count(one.formula.inputs()), count(one.formula.outputs()), one.graph.jacobian.len()]

@@ -1,13 +1,13 @@
-//! The program that takes the time of formulas.
+//! The program that times formulas.
 
 use super::driver::{arguments, counts};
 use crate::export::language::File;
 use crate::export::recorded::{Recorded, Text, stem};
 
-/// So many formulas stand in one file.
+/// The number of formulas in one file.
 const FORMULAS: usize = 20;
 
-/// Reads points from `<name>.f64`, and prints nanoseconds an evaluation of value and Jacobian.
+/// Reads points from `<name>.f64`, and prints nanoseconds per evaluation of value and Jacobian.
 pub(in crate::export) fn files(recorded: &[Recorded]) -> Vec<File> {
     let groups = recorded.chunks(FORMULAS).enumerate();
     let mut files: Vec<_> = groups

@@ -4,7 +4,7 @@ use super::super::language::File;
 use super::super::recorded::{Recorded, Text, stem};
 use jointproof::formula::Field;
 
-/// So many formulas stand in one file.
+/// The number of formulas in one file.
 const FORMULAS: usize = 12;
 
 /// Reads points.bin, writes found.bin. The program is the last file.

@@ -1,4 +1,4 @@
-//! The error of differences over their step.
+//! The error of differences as a function of their step.
 
 use super::drawing::{Axis, Drawing, power, style};
 use crate::console::figure;
@@ -9,10 +9,10 @@ const HEIGHT: f64 = 270.0;
 const LEFT: f64 = 46.0;
 const BOTTOM: f64 = 232.0;
 
-/// Errors below this are drawn here; it is below the roundoff of `f64`.
+/// Smaller errors are drawn at this value, which is below the roundoff of `f64`.
 const FLOOR: f64 = 1e-17;
 
-/// Median relative error of the Jacobian over the step, for each scheme, with the least of each marked.
+/// Median relative error of the Jacobian as a function of the step, for each scheme, with the minimum of each marked.
 pub(crate) fn curve(measurement: &Measurement) -> String {
     let curves = &measurement.curves;
     let steps = curves.iter().flat_map(|curve| curve.points().map(|(step, _)| step));
@@ -46,7 +46,7 @@ pub(crate) fn curve(measurement: &Measurement) -> String {
 }
 
 fn legend(drawing: &mut Drawing, curves: &[Curve]) {
-    // Below the curves, which fall from the left.
+    // Below the curves, which descend from the left.
     let (x, mut y) = (LEFT + 16.0, 150.0);
     for curve in curves {
         let style = style(curve.scheme.id());

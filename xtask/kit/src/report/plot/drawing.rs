@@ -1,4 +1,4 @@
-//! Axes, and the marks that every plot draws.
+//! Axes, and the marks common to all plots.
 
 use std::fmt::Write;
 
@@ -7,12 +7,12 @@ use std::fmt::Write;
 pub(super) struct Axis {
     /// Exponents at the ends.
     exponents: [i32; 2],
-    /// Where the ends are drawn.
+    /// The coordinates of the ends.
     pub(super) ends: [f64; 2],
 }
 
 impl Axis {
-    /// The least axis that holds all values, at least a decade; what is 0 or below `floor` is drawn at `floor`.
+    /// The shortest axis that contains all values, at least a decade; values of 0 or below `floor` are drawn at `floor`.
     pub(super) fn around(values: impl IntoIterator<Item = f64>, floor: f64, ends: [f64; 2]) -> Self {
         let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
         for value in values {
@@ -27,7 +27,7 @@ impl Axis {
         Self { exponents: [low, high.max(low + 1)], ends }
     }
 
-    /// Where a value is drawn.
+    /// The coordinate of a value.
     pub(super) fn at(&self, value: f64) -> f64 {
         let [low, high] = self.exponents.map(f64::from);
         let fraction = (value.max(1e-300).log10().clamp(low, high) - low) / (high - low);
@@ -42,11 +42,11 @@ impl Axis {
     }
 }
 
-/// A drawing under way.
+/// A drawing in progress.
 pub(super) struct Drawing(String);
 
 impl Drawing {
-    /// With what a reader who cannot see it is told.
+    /// With a title and a description for readers who cannot see it.
     pub(super) fn new(width: f64, height: f64, title: &str, description: &str) -> Self {
         let [title, description] = [title, description].map(escape);
         Self(format!(
@@ -76,7 +76,7 @@ impl Drawing {
         let _ = write!(self.0, "<path class=\"{}\" d=\"M{x:.1} {y:.1}{}\"/>", style.class, style.shape);
     }
 
-    /// The axis below, from left to right, with lines up to `top`.
+    /// The horizontal axis, with grid lines up to `top`.
     pub(super) fn below(&mut self, axis: &Axis, y: f64, top: f64, name: &str, label: impl Fn(i32) -> String) {
         for exponent in axis.ticks() {
             let x = axis.at(10.0_f64.powi(exponent));
@@ -87,7 +87,7 @@ impl Drawing {
         self.text("name end", [axis.ends[1], y + 29.0], name);
     }
 
-    /// The axis on the left, from below upwards, with lines to the right.
+    /// The vertical axis, with grid lines to the right.
     pub(super) fn left(&mut self, axis: &Axis, x: f64, right: f64, name: &str, label: impl Fn(i32) -> String) {
         for exponent in axis.ticks() {
             let y = axis.at(10.0_f64.powi(exponent));
@@ -108,19 +108,19 @@ pub(super) fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 
-/// How a way is drawn, and what it is called in a plot.
+/// The style of a method in a plot, and its name there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Style {
     /// The colour.
     class: &'static str,
-    /// The outline, from the middle on.
+    /// The outline, relative to the centre.
     shape: &'static str,
-    /// A short name; that of the way itself if empty.
+    /// A short name; that of the method itself if empty.
     pub(super) name: &'static str,
 }
 
 pub(super) const CIRCLE: &str = "m-4.5 0a4.5 4.5 0 1 0 9 0a4.5 4.5 0 1 0-9 0z";
-/// Thin, since it lies about the place of another.
+/// Thin, since it surrounds the mark of another.
 pub(super) const RING: &str = "m-5.5 0a5.5 5.5 0 1 0 11 0a5.5 5.5 0 1 0-11 0zm1.5 0a4 4 0 1 1 8 0a4 4 0 1 1-8 0z";
 pub(super) const SQUARE: &str = "m-4-4h8v8h-8z";
 pub(super) const DIAMOND: &str = "m0-5.5 5.5 5.5-5.5 5.5-5.5-5.5z";
@@ -130,7 +130,7 @@ pub(super) const BAR: &str = "m-5.5-2h11v4h-11z";
 pub(super) const PLUS: &str = "m-1.7-5h3.4v3.3h3.3v3.4h-3.3v3.3h-3.4v-3.3h-3.3v-3.4h3.3z";
 pub(super) const HOURGLASS: &str = "m-4.5-4.5h9l-9 9h9z";
 
-/// The style of a way.
+/// The style of a method.
 pub(super) fn style(id: &str) -> Style {
     let (class, shape, name) = match id {
         "closed" => ("way-closed", CIRCLE, "closed form"),
@@ -169,7 +169,7 @@ pub(super) fn superscript(number: i32) -> String {
     number.to_string().chars().map(raised).collect()
 }
 
-/// Nanoseconds as an axis names them: 10 ns, 1 µs, 10 ms.
+/// Nanoseconds as axis labels: 10 ns, 1 µs, 10 ms.
 pub(super) fn time(exponent: i32) -> String {
     let units = ["ps", "ns", "µs", "ms", "s"];
     let unit = usize::try_from(exponent.div_euclid(3) + 1).ok().and_then(|k| units.get(k));

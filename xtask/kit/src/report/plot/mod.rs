@@ -1,5 +1,5 @@
-//! Plots as SVG, to stand in a page: colours, type and line widths come from the theme by classes, so that they follow
-//! light and dark, and every colour has a shape or a dash beside it.
+//! Plots as SVG for inclusion in a page: colours, type and line widths come from the theme by classes, so that they
+//! follow light and dark mode, and every colour is accompanied by a shape or a dash.
 
 mod curve;
 mod drawing;

@@ -1,4 +1,4 @@
-//! One family at a glance: a row a formula, time from left to right.
+//! Overview of one family: one row per formula, time from left to right.
 
 use super::drawing::{Axis, Drawing, style, time};
 use jointproof::toolkit::measure::{Measurement, WayFigures};
@@ -8,10 +8,10 @@ const LEFT: f64 = 190.0;
 const ROW: f64 = 22.0;
 const TOP: f64 = 30.0;
 
-/// The ways shown.
+/// The methods shown.
 const WAYS: [&str; 6] = ["single", "ad", "central", "octuple", "octuple-ad", "closed"];
 
-/// Time for value and Jacobian by the main ways, and of copying alone.
+/// Time for value and Jacobian by the main methods, and of copying alone.
 pub(crate) fn overview(family: &str, measurements: &[&Measurement]) -> String {
     #[expect(clippy::cast_precision_loss, reason = "a few formulas")]
     let bottom = TOP + ROW * measurements.len() as f64;

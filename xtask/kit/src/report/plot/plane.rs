@@ -10,19 +10,19 @@ const HEIGHT: f64 = 270.0;
 const LEFT: f64 = 46.0;
 const BOTTOM: f64 = 232.0;
 
-/// η below this is drawn here.
+/// Smaller values of η are drawn at this value.
 const FLOOR: f64 = 0.1;
-/// η above this is drawn here: no digit is right, or something is not 0 where the exact number is.
+/// Larger values of η are drawn at this value: no digit is right, or a result is not 0 where the exact number is.
 const CEILING: f64 = 1e18;
 
-/// A way in the plane.
+/// A method in the plane.
 struct Point<'a> {
     id: &'a str,
     time: f64,
     eta: f64,
 }
 
-/// Time of value and Jacobian against η of the Jacobian, with the ways that no other beats joined by a line.
+/// Time of value and Jacobian against η of the Jacobian, with the Pareto-optimal methods joined by a line.
 pub(crate) fn plane(measurement: &Measurement) -> String {
     let point = |way: &'_ jointproof::toolkit::measure::WayFigures| {
         let jacobian = way.jacobian.as_ref()?;
@@ -36,7 +36,7 @@ pub(crate) fn plane(measurement: &Measurement) -> String {
     let x = Axis::around(points.iter().map(|point| point.time), 0.1, [LEFT, WIDTH - 12.0]);
     let y = Axis::around(points.iter().map(|point| point.eta.min(CEILING)).chain([1.0]), FLOOR, [BOTTOM, 26.0]);
     let places: Vec<_> = points.iter().map(|point| [x.at(point.time), y.at(point.eta.max(FLOOR))]).collect();
-    // What is drawn in one place is equal here too.
+    // Points drawn at the same position are equal here too.
     let ranked: Vec<_> = points.iter().map(|point| (point.time, point.eta.max(FLOOR))).collect();
     let unbeaten = front(&ranked);
 
@@ -71,14 +71,14 @@ fn description(points: &[Point<'_>], unbeaten: &[usize]) -> String {
     format!("{}. Unbeaten in speed or error: {}.", all.join("; "), best.join(", "))
 }
 
-/// What a label or a mark covers, one line high.
+/// The area covered by a label or a mark, one line high.
 struct Box {
     left: f64,
     right: f64,
     middle: f64,
 }
 
-/// The first place around a mark where its label covers nothing.
+/// The first position around a mark where its label covers nothing.
 fn label_place(name: &str, [x, y]: [f64; 2], taken: &mut Vec<Box>) -> (&'static str, [f64; 2]) {
     #[expect(clippy::cast_precision_loss, reason = "a short name")]
     let width = 5.6 * name.chars().count() as f64;

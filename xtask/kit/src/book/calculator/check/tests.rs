@@ -1,10 +1,10 @@
-//! What is told of made-up calculators, without a browser.
+//! Checks of made-up calculators, without a browser.
 
 use super::*;
 use jointproof::catalog::find;
 use jointproof::connector::slot;
 
-/// What is told when the calculator of a formula shows this in a case.
+/// The result of the check if the calculator of a formula shows this for a case.
 fn told(formula: &'static dyn AnyFormula, case: &str, shown: &Shown) -> Result<Checked> {
     let golden = formula.golden();
     let mut checked = Checked::default();
@@ -14,7 +14,7 @@ fn told(formula: &'static dyn AnyFormula, case: &str, shown: &Shown) -> Result<C
     Ok(checked)
 }
 
-/// The same of f₂ = 3, f₃ = 4, whose value is 5 and whose derivatives are 0.6 and 0.8.
+/// The same for f₂ = 3, f₃ = 4, whose value is 5 and whose derivatives are 0.6 and 0.8.
 fn of_contact(shown: &Shown) -> Checked {
     told(&slot::ContactForce, "pythagoras", shown).unwrap()
 }
@@ -89,7 +89,7 @@ fn what_is_invalid_is_refused_in_the_words_of_rust() {
     let error = formula.value_and_jacobian(&point).unwrap_err();
     let right = told(formula, "mu-negative", &refusal(&error.to_string())).unwrap();
     assert_eq!((right.refused, right.together, right.off), (1, 0, vec![]));
-    // What an input alone must be is said of that input.
+    // A condition on a single input is reported for that input.
     for words in [format!("Refused; required is {}", error.required()), String::new()] {
         let wrong = told(formula, "mu-negative", &refusal(&words)).unwrap();
         let off = format!("slot.friction, case mu-negative: it says {words:?}, and Rust {:?}", error.to_string());
@@ -189,7 +189,7 @@ fn where_languages_have_their_own_functions_the_last_digits_may_differ() {
     assert_eq!((checked.numbers, checked.near, checked.differ, checked.off.len()), (1, 1, 0, 0));
     One { formula, golden: &golden, checked: &mut checked }.number(case, 0, 1.5, 1.0).unwrap();
     assert_eq!((checked.numbers, checked.near, checked.differ, checked.off.len()), (2, 1, 1, 1));
-    // A root is the same everywhere.
+    // Square roots are the same in every language.
     let mut checked = Checked::default();
     let (formula, case) = (&slot::ContactForce, &AnyFormula::golden(&slot::ContactForce).cases[0]);
     One { formula, golden: &golden, checked: &mut checked }.number(case, 0, 1.0 + f64::EPSILON, 1.0).unwrap();
