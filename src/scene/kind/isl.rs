@@ -43,22 +43,23 @@ const T2: Quantity = Quantity {
 const N: Quantity = Quantity { meaning: "normal of the line at the closest point of each node", ..NORMAL };
 
 /// A coordinate along the line is no output.
-const FOOT: &[(&str, &str)] = &[("g", "coordinate"), ("t", "coordinate"), ("separation", "e11")];
+const FOOT: &[(&str, &str)] = &[("g", "coordinate"), ("separation", "e11")];
+const SMOOTHED_FOOT: &[(&str, &str)] = &[("t", "coordinate"), ("separation", "e11")];
 const SLIP: &[(&str, &str)] = &[("dslip", "e12")];
 const PRESSURE: &[(&str, &str)] = &[("p", "s11")];
 
 /// What every element on a slide line has: contact of its nodes.
 const CONTACT: &[Use] = &[
     renamed(&slide_line::ClosestLinear, FOOT),
-    renamed(&slide_line::ClosestSmoothedLinear, FOOT),
+    renamed(&slide_line::ClosestSmoothedLinear, SMOOTHED_FOOT),
     renamed(&slide_line::ClosestParabolic, FOOT),
-    renamed(&slide_line::ClosestSmoothedParabolic, FOOT),
+    renamed(&slide_line::ClosestSmoothedParabolic, SMOOTHED_FOOT),
     renamed(&slide_line::SlipIncrementLinear, SLIP),
     renamed(&slide_line::SlipIncrementParabolic, SLIP),
     renamed(&interaction::PressureLinear, PRESSURE),
     renamed(&interaction::PressureExponential, PRESSURE),
     renamed(&interaction::Damping, PRESSURE),
-    renamed(&coulomb::ReturnMap, &[("f", "s12")]),
+    renamed(&coulomb::Response, &[("f", "s12")]),
 ];
 
 pub(super) const ISL21A: Kind = Kind {

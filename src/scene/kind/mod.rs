@@ -4,6 +4,7 @@
 //! the output `x` of another formula, or from what the element is given by that name. What a name means, its unit and its
 //! allowed values stand with the field's [`Quantity`](crate::formula::quantity::Quantity).
 
+mod check;
 mod dimension;
 mod isl;
 mod parts;

@@ -1,8 +1,9 @@
 //! What a table of a kind says.
 
+use super::check::check_renamed;
 use super::dimension::Dimension;
-use crate::formula::Field;
 use crate::formula::quantity::{Domain, Quantity};
+use crate::formula::{Field, Fields, Formula};
 use crate::scene::evaluate::Step;
 
 /// Where a register gets its value from, if no formula computes it.
@@ -77,23 +78,30 @@ pub enum When {
 pub struct Use {
     /// The formula.
     pub(in crate::scene) step: &'static dyn Step,
+    /// Its inputs.
+    pub(super) inputs: &'static [Field],
+    /// Its outputs.
+    pub(super) outputs: &'static [Field],
     /// Fields that have another name here: `(field, register)`.
-    renamed: &'static [(&'static str, &'static str)],
+    pub(super) renamed: &'static [(&'static str, &'static str)],
     /// When it is taken.
     pub(in crate::scene) when: When,
 }
 
 /// A formula under its own names.
-pub(in crate::scene) const fn always(step: &'static dyn Step) -> Use {
-    Use { step, renamed: &[], when: When::Always }
+pub(in crate::scene) const fn always<F: Formula>(step: &'static F) -> Use {
+    renamed(step, &[])
 }
 
 /// A formula with some fields renamed.
-pub(in crate::scene) const fn renamed(
-    step: &'static dyn Step,
+pub(in crate::scene) const fn renamed<F: Formula>(
+    step: &'static F,
     renamed: &'static [(&'static str, &'static str)],
 ) -> Use {
-    Use { step, renamed, when: When::Always }
+    let (inputs, outputs) = (<F::Inputs<f64> as Fields<f64>>::FIELDS, <F::Outputs<f64> as Fields<f64>>::FIELDS);
+    let formula = Use { step, inputs, outputs, renamed, when: When::Always };
+    check_renamed(&formula);
+    formula
 }
 
 impl Use {
@@ -114,12 +122,12 @@ impl Use {
 
     /// The field that this formula writes to a register.
     pub fn writes(&self, register: &str) -> Option<&'static Field> {
-        self.step.outputs().iter().find(|field| self.register(field.name) == register)
+        self.outputs.iter().find(|field| self.register(field.name) == register)
     }
 
     /// The field that this formula reads from a register.
     pub fn reads(&self, register: &str) -> Option<&'static Field> {
-        self.step.inputs().iter().find(|field| self.register(field.name) == register)
+        self.inputs.iter().find(|field| self.register(field.name) == register)
     }
 }
 

@@ -1,5 +1,6 @@
 //! The tables of the kinds.
 
+use super::check::check;
 use super::dimension::Dimension;
 use super::isl::{ISL21A, ISL22A};
 use super::parts::{ALIGN, JOIN, UNIVERSAL};
@@ -10,8 +11,17 @@ use super::translator::TRANSLATOR;
 use super::ujoint::UJOINT;
 
 /// Every kind of element.
-static KINDS: [Kind; 12] =
+static KINDS: [Kind; 12] = TABLES;
+const TABLES: [Kind; 12] =
     [SLOT, SLOT_2D, TRANSLATOR, ALIGN, UJOINT, JOIN, UNIVERSAL, SLIDER, SLIDER_2D, SLIDER_AXISYMMETRIC, ISL21A, ISL22A];
+
+const _: () = {
+    let mut k = 0;
+    while k < TABLES.len() {
+        check(&TABLES[k]);
+        k += 1;
+    }
+};
 
 impl Kind {
     /// Every kind.
