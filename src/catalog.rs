@@ -1,18 +1,14 @@
 //! Formulas whose types the compiler does not know; and, with the feature `catalog`, every one of ours in the order of the book.
 
 mod elements;
-
 #[cfg(feature = "catalog")]
-pub use elements::ELEMENTS;
+mod list;
+
 pub use elements::{AnyElement, Erased};
+#[cfg(feature = "catalog")]
+pub use list::{CATALOG, ELEMENTS};
 
 use crate::connector::align;
-#[cfg(feature = "catalog")]
-use crate::connector::{join, slider, slot, translator, ujoint, universal};
-#[cfg(feature = "catalog")]
-use crate::contact::{coulomb, interaction, slide_line};
-#[cfg(feature = "catalog")]
-use crate::element::{self, cardan};
 use crate::formula::proof::{Case, Convention, Flag, Proved};
 use crate::formula::{Field, Fields, Formula, Spec, check, entries, value, value_and_jacobian};
 #[cfg(feature = "batch-by-id")]
@@ -345,120 +341,6 @@ fn one_sided(subject: &Subject, kink: &Kink) -> Vec<[f64; 2]> {
     let sides = |k: usize| [here[k] - below[k], above[k] - here[k]];
     (0..here.len()).map(|k| sides(k).map(|d| (less_turns(d) / step).to_f64())).collect()
 }
-
-/// Every formula.
-///
-/// A `static`, so that all of its code is compiled here, once, and not again in every program that reads it.
-#[cfg(feature = "catalog")]
-pub static CATALOG: &[&dyn AnyFormula] = &[
-    &slot::RelativePosition,
-    &slot::Constraint,
-    &slot::Constraint2d,
-    &slot::ConstraintForce,
-    &slot::RelativeMotion,
-    &slot::KineticForce,
-    &slot::ContactForce,
-    &slot::NormalForce,
-    &slot::Friction,
-    &slot::Stop,
-    &coulomb::Yield,
-    &coulomb::ReturnMap,
-    &coulomb::ReturnMap2d,
-    &coulomb::Response,
-    // ALIGN, TRANSLATOR
-    &cardan::CardanAngles,
-    &cardan::BetaTwoArgument,
-    &align::Constraint,
-    &align::ConstraintMoment,
-    &translator::Constraint,
-    &translator::TorqueForce,
-    &translator::RadialForce,
-    &translator::BendingForce,
-    &translator::ContactForce,
-    &translator::Friction,
-    // JOIN, UNIVERSAL, UJOINT
-    &join::Constraint,
-    &universal::Constraint,
-    &universal::Angles,
-    &universal::RelativeMotion,
-    &universal::ConstraintMoment,
-    &universal::KineticMoment,
-    &ujoint::Constraint,
-    &ujoint::Reaction,
-    &ujoint::CrossDirection,
-    &ujoint::TwistFactors,
-    &ujoint::AxialFactors,
-    &ujoint::Decomposition,
-    &ujoint::HingeTwist,
-    &ujoint::HingeAxial,
-    &ujoint::HingeTransverse,
-    &ujoint::HingeBending,
-    &ujoint::ContactMoments,
-    &ujoint::NormalMoments,
-    &ujoint::Friction,
-    &ujoint::Stop,
-    // Elements
-    &slot::plane::Rows,
-    &slot::plane::Forces,
-    &slot::plane::GeometricStiffness,
-    &element::angle::Rows,
-    &element::angle::Moments,
-    &element::angle::GeometricStiffness,
-    &element::line::Rows,
-    &element::line::Forces,
-    &element::line::GeometricStiffness,
-    &element::cross::Rows,
-    &element::cross::Moments,
-    &element::cross::GeometricStiffness,
-    &slider::rows::Rows,
-    &slider::rows::Forces,
-    &slider::rows::GeometricStiffness,
-    &slider::rows_plane::Rows,
-    &slider::rows_plane::Forces,
-    &slider::rows_plane::GeometricStiffness,
-    &slide_line::element::rows::Linear,
-    &slide_line::element::rows::Parabolic,
-    &slide_line::element::forces::Linear,
-    &slide_line::element::forces::Parabolic,
-    &slide_line::element::stiffness::Linear,
-    &slide_line::element::stiffness::Parabolic,
-    &element::offset::Arm,
-    &element::rotation::RotationVector,
-    &element::rotation::EulerParameters,
-    // SLIDER
-    &slider::Line,
-    &slider::Basis,
-    &slider::Constraint,
-    &slider::Eliminate,
-    &slider::DirectionVariation,
-    &slider::BasisVariation,
-    &slider::IncrementalConstraint,
-    &slider::Increment,
-    &slider::Constraint2d,
-    &slider::Eliminate2d,
-    &slider::IncrementalConstraint2d,
-    &slider::Increment2d,
-    // Slide lines
-    &slide_line::LocalBasis,
-    &slide_line::LinearPoint,
-    &slide_line::ParabolicPoint,
-    &slide_line::SmoothedLinearPoint,
-    &slide_line::SmoothedParabolicPoint,
-    &slide_line::ClosestLinear,
-    &slide_line::ClosestParabolic,
-    &slide_line::ClosestSmoothedLinear,
-    &slide_line::ClosestSmoothedParabolic,
-    &slide_line::SlipIncrementLinear,
-    &slide_line::SlipIncrementParabolic,
-    &slide_line::ContactAreaLinear,
-    &slide_line::ContactAreaParabolic,
-    &slide_line::TorqueLinear,
-    &slide_line::TorqueParabolic,
-    // Interaction laws
-    &interaction::PressureLinear,
-    &interaction::PressureExponential,
-    &interaction::Damping,
-];
 
 /// The formula of this identifier.
 #[cfg(feature = "catalog")]

@@ -1,14 +1,6 @@
-//! Elements whose types the compiler does not know; and, with the feature `catalog`, every one of ours in the order of the book.
+//! Elements whose types the compiler does not know.
 
 use crate::Error;
-#[cfg(feature = "catalog")]
-use crate::connector::align::AlignElement;
-use crate::connector::join::JoinElement;
-use crate::connector::slider::{SliderElement, SliderElement2d};
-use crate::connector::slot::{SlotElement, SlotElement2d};
-use crate::connector::translator::TranslatorElement;
-use crate::connector::ujoint::UJointElement;
-use crate::connector::universal::UniversalElement;
 use crate::formula::proof::{self, ProvedElement, Step};
 use crate::formula::{Field, Spec};
 use crate::toolkit::graph::{Extremes, Graph, NotRecorded, record_element};
@@ -67,17 +59,3 @@ impl<E: ProvedElement<M, DOFS>, const M: usize, const DOFS: usize> AnyElement fo
         Step::<E, f64, M, DOFS>::of(components, rubs).checked_results()
     }
 }
-
-/// Every element.
-#[cfg(feature = "catalog")]
-pub static ELEMENTS: &[&dyn AnyElement] = &[
-    &Erased::<SlotElement, 2, 12>(SlotElement),
-    &Erased::<SlotElement2d, 1, 6>(SlotElement2d),
-    &Erased::<AlignElement, 3, 12>(AlignElement),
-    &Erased::<TranslatorElement, 5, 12>(TranslatorElement),
-    &Erased::<JoinElement, 3, 12>(JoinElement),
-    &Erased::<UniversalElement, 1, 12>(UniversalElement),
-    &Erased::<UJointElement, 4, 12>(UJointElement),
-    &Erased::<SliderElement, 2, 9>(SliderElement),
-    &Erased::<SliderElement2d, 1, 6>(SliderElement2d),
-];

@@ -12,9 +12,41 @@ mod shared;
 mod slider;
 mod slot;
 mod table;
-mod tables;
 mod translator;
 mod ujoint;
 
 pub use dimension::Dimension;
 pub use table::{Fallback, Kind, Origin, Use, When};
+
+use self::check::check;
+use self::isl::{ISL21A, ISL22A};
+use self::parts::{ALIGN, JOIN, UNIVERSAL};
+use self::slider::{SLIDER, SLIDER_2D, SLIDER_AXISYMMETRIC};
+use self::slot::{SLOT, SLOT_2D};
+use self::translator::TRANSLATOR;
+use self::ujoint::UJOINT;
+
+/// Every kind of element.
+static KINDS: [Kind; 12] = TABLES;
+const TABLES: [Kind; 12] =
+    [SLOT, SLOT_2D, TRANSLATOR, ALIGN, UJOINT, JOIN, UNIVERSAL, SLIDER, SLIDER_2D, SLIDER_AXISYMMETRIC, ISL21A, ISL22A];
+
+const _: () = {
+    let mut k = 0;
+    while k < TABLES.len() {
+        check(&TABLES[k]);
+        k += 1;
+    }
+};
+
+impl Kind {
+    /// Every kind.
+    pub fn all() -> impl Iterator<Item = &'static Self> {
+        KINDS.iter()
+    }
+
+    /// The kind of this name and dimension.
+    pub fn find(name: &str, dimension: Dimension) -> Option<&'static Self> {
+        Self::all().find(|kind| kind.name == name && kind.dimension == dimension)
+    }
+}

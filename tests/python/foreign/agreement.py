@@ -12,6 +12,8 @@ import numpy as np
 
 from export import Export, outputs
 
+#: Poses at which a connector is compared, unless it says otherwise.
+POSES = 100
 RECORDS = Path(__file__).parents[2] / "data/foreign"
 UNIT = 2.0**-53
 #: A sum of ten products whose factors went through up to five turns of a body has about this many roundings.

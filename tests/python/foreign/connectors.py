@@ -5,10 +5,12 @@ A spin is a turn in the global frame, de = dtheta x e; forces on the nodes are R
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 
 import numpy as np
 
+from agreement import POSES
 from export import Export, outputs
 
 DOFS = {"ua": slice(0, 3), "ta": slice(3, 6), "ub": slice(6, 9), "tb": slice(9, 12)}
@@ -35,6 +37,25 @@ def inputs(a: Node, b: Node) -> dict[str, np.ndarray]:
 
 
 @dataclass(frozen=True)
+class Product:
+    """A scalar product of axes as a function of the Cardan angles: its value, its gradient, and its second derivatives."""
+
+    value: Callable[[np.ndarray], float]
+    gradient: Callable[[np.ndarray], np.ndarray]
+    second: Callable[[np.ndarray], np.ndarray]
+
+
+def sine() -> Product:
+    """e1a.e3b = sin beta."""
+    middle = np.eye(3)[1]
+    return Product(
+        lambda angles: np.sin(angles[1]),
+        lambda angles: np.cos(angles[1]) * middle,
+        lambda angles: -np.sin(angles[1]) * np.outer(middle, middle),
+    )
+
+
+@dataclass(frozen=True)
 class Block:
     """What connectors are made of, by the names of its formulas and of its multipliers."""
 
@@ -42,6 +63,12 @@ class Block:
     forces: str
     stiffness: str
     multipliers: tuple[str, ...]
+    #: Axes of the formulas that are others here.
+    renamed: tuple[tuple[str, str], ...] = ()
+
+    def inputs(self, a: Node, b: Node) -> dict[str, np.ndarray]:
+        found = inputs(a, b)
+        return found | {name: found[other] for name, other in self.renamed}
 
     def matrix(self, parts: dict[str, np.ndarray]) -> np.ndarray:
         """Rows in their places. Where turning both nodes alike changes nothing, only the spin of b is written."""
@@ -55,14 +82,14 @@ class Block:
         return rows
 
     def row_matrix(self, export: Export, a: Node, b: Node) -> np.ndarray:
-        return self.matrix(export.value(self.rows, **inputs(a, b)))
+        return self.matrix(export.value(self.rows, **self.inputs(a, b)))
 
     def loads(self, multipliers: np.ndarray) -> dict[str, float]:
         return dict(zip(self.multipliers, multipliers, strict=True))
 
     def nodal_forces(self, export: Export, a: Node, b: Node, multipliers: np.ndarray) -> np.ndarray:
         forces = np.zeros(12)
-        for name, part in export.value(self.forces, **inputs(a, b), **self.loads(multipliers)).items():
+        for name, part in export.value(self.forces, **self.inputs(a, b), **self.loads(multipliers)).items():
             forces[DOFS[{"f": "u", "m": "t"}[name[0]] + name[1]]] = part
         return forces
 
@@ -72,7 +99,7 @@ class Block:
         What depends on the difference of both spins has its block for b alone.
         """
         stiffness = np.zeros((12, 12))
-        blocks = export.value(self.stiffness, **inputs(a, b), **self.loads(multipliers))
+        blocks = export.value(self.stiffness, **self.inputs(a, b), **self.loads(multipliers))
         if "k_tb_tb" in blocks and "k_ta_tb" not in blocks:
             blocks = {"k_ta_ta": blocks["k_tb_tb"].T, "k_ta_tb": -blocks["k_tb_tb"]} | blocks
         for name, block in blocks.items():
@@ -91,14 +118,17 @@ class Connector:
     """A connector by the formula of its residuals, and the blocks that it is a sum of, each with the rows that it takes.
 
     `held` are the coordinates that its residuals are, of three translations along e1a, e2a, e3a and three Cardan
-    angles; `sine` is the place of the residual that is the sine of its angle.
+    angles; `products` names residuals that are scalar products of axes instead, by their places. `joints` are those of
+    programs that have coordinates, in order, and `count` is how many poses it is compared at.
     """
 
     name: str
     residuals: str
     blocks: tuple[tuple[Block, tuple[int, ...]], ...]
     held: tuple[int, ...]
-    sine: int | None = None
+    products: tuple[tuple[int, Product], ...] = ()
+    joints: tuple[str, ...] = ()
+    count: int = POSES
 
     def rows(self) -> dict[str, list[str]]:
         """The outputs of every block that are rows of it."""
@@ -107,7 +137,7 @@ class Connector:
             names = [name for name, _ in outputs(block.rows)]
             residuals = list(dict.fromkeys(name.rpartition("_")[0] for name in names))
             of_connector = [residuals[row] for row in rows]
-            taken[block.rows] = [name for name in names if name.rpartition("_")[0] in of_connector]
+            taken[block.rows] = taken.get(block.rows, []) + [name for name in names if name.rpartition("_")[0] in of_connector]
         return taken
 
     def closed_rows(self) -> dict[str, list[str]]:
@@ -116,14 +146,14 @@ class Connector:
         return {id: [name for name in names if name not in turned] for id, names in self.rows().items()}
 
     def forces(self) -> dict[str, None]:
-        return {block.forces: None for block, _ in self.blocks}
+        return dict.fromkeys(block.forces for block, _ in self.blocks)
 
     def stiffness(self) -> dict[str, None]:
-        return {block.stiffness: None for block, _ in self.blocks}
+        return dict.fromkeys(block.stiffness for block, _ in self.blocks)
 
     def residual(self, export: Export, a: Node, b: Node) -> np.ndarray:
         """With all initial values zero, so that it is the connector's coordinate."""
-        initial = dict(d0=ZERO) | dict.fromkeys(["y0", "z0", "c0", "alpha0", "beta0", "gamma0"], 0.0)
+        initial = dict(d0=ZERO) | dict.fromkeys(["y0", "z0", "c0", "c2", "c3", "alpha0", "beta0", "gamma0"], 0.0)
         return np.hstack(list(export.value(self.residuals, **inputs(a, b), **initial).values()))
 
     def shares(self, multipliers: np.ndarray) -> list[tuple[Block, np.ndarray]]:
@@ -212,12 +242,27 @@ ANGLES = Block(
 )
 CROSS = Block("universal.rows", "universal.nodal_moments", "universal.geometric_stiffness", ("lambda_rot",))
 
-JOIN = Connector("JOIN", "join.constraint", ((LINE, (0, 1, 2)),), (0, 1, 2))
-UNIVERSAL = Connector("UNIVERSAL", "universal.constraint", ((CROSS, (0,)),), (4,), sine=0)
-UJOINT = Connector("UJOINT", "ujoint.constraint", ((LINE, (0, 1, 2)), (CROSS, (0,))), (0, 1, 2, 4), sine=3)
-SLOT = Connector("SLOT", "slot.constraint", ((LINE, (1, 2)),), (1, 2))
-ALIGN = Connector("ALIGN", "align.constraint", ((ANGLES, (0, 1, 2)),), (3, 4, 5))
+SLIDES = ("slide x", "slide y", "slide z")
+
+JOIN = Connector("JOIN", "join.constraint", ((LINE, (0, 1, 2)),), (0, 1, 2), joints=("ball",))
+UNIVERSAL = Connector(
+    "UNIVERSAL", "universal.constraint", ((CROSS, (0,)),), (4,), ((0, sine()),), (*SLIDES, "universal")
+)
+UJOINT = Connector(
+    "UJOINT",
+    "ujoint.constraint",
+    ((LINE, (0, 1, 2)), (CROSS, (0,))),
+    (0, 1, 2, 4),
+    ((3, sine()),),
+    ("universal",),
+)
+SLOT = Connector("SLOT", "slot.constraint", ((LINE, (1, 2)),), (1, 2), joints=("slide x", "ball"))
+ALIGN = Connector("ALIGN", "align.constraint", ((ANGLES, (0, 1, 2)),), (3, 4, 5), joints=SLIDES)
 TRANSLATOR = Connector(
-    "TRANSLATOR", "translator.constraint", ((LINE, (1, 2)), (ANGLES, (0, 1, 2))), (1, 2, 3, 4, 5)
+    "TRANSLATOR",
+    "translator.constraint",
+    ((LINE, (1, 2)), (ANGLES, (0, 1, 2))),
+    (1, 2, 3, 4, 5),
+    joints=("slide x",),
 )
 ALL = (JOIN, SLOT, ALIGN, TRANSLATOR, UNIVERSAL, UJOINT)

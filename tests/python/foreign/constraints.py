@@ -15,7 +15,7 @@ import numpy as np
 from agreement import Comparison, gap, terms
 from connectors import Connector, Node
 from export import Export
-from motions import POSES, A, B, element
+from motions import A, B, element
 
 
 @dataclass(frozen=True)
@@ -113,7 +113,7 @@ class Same:
         rows = seen | {"element.arm": ["m_node"]}
         return [
             Comparison(
-                connector.name, "residuals of a constraint", {connector.residuals: self.varied}, self.residuals, POSES
+                connector.name, "residuals of a constraint", {connector.residuals: self.varied}, self.residuals, connector.count
             ),
-            Comparison(connector.name, "rows of a constraint", rows, self.rows, POSES),
+            Comparison(connector.name, "rows of a constraint", rows, self.rows, connector.count),
         ]

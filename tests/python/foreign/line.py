@@ -10,9 +10,9 @@ from functools import partial
 
 import numpy as np
 
-from agreement import Comparison, gap, terms
+from agreement import POSES, Comparison, gap, terms
 from export import Export
-from motions import POSES, Moving
+from motions import Moving
 
 #: Translations of nodes 1, n and m.
 DOFS = {"1": slice(0, 3), "n": slice(3, 6), "m": slice(6, 9)}

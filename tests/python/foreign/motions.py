@@ -16,7 +16,6 @@ from agreement import Comparison, gap, terms
 from connectors import ALL, Connector, Element, Node
 from export import Export
 
-POSES = 100
 JOINTS = ("slide x", "slide y", "slide z", "hinge x", "hinge y", "hinge z")
 #: The coordinates of a chain behind the six of body a.
 FREE = 6
@@ -90,10 +89,11 @@ class Chained:
         rates = np.zeros_like(rows)
         for row, coordinate in enumerate(held):
             rows[row, FREE + coordinate] = 1.0
-        if self.connector.sine is not None:
-            row, place = self.connector.sine, FREE + 4
-            residuals[row], rows[row, place] = np.sin(c[4]), np.cos(c[4])
-            rates[row, place] = -np.sin(c[4]) * self.pose.velocity[place]
+        for row, product in self.connector.products:
+            angles = slice(FREE + 3, FREE + 6)
+            residuals[row], rows[row] = product.value(c[3:]), 0.0
+            rows[row, angles] = product.gradient(c[3:])
+            rates[row, angles] = product.second(c[3:]) @ self.pose.velocity[angles]
         return residuals, rows, rates
 
     def residuals(self) -> float:
@@ -142,5 +142,5 @@ def comparisons(tree: type) -> list[Comparison]:
             "geometric stiffness": connector.forces() | connector.stiffness() | {"element.arm": None},
         }
         for quantity, formulas in uses.items():
-            found.append(Comparison.at_poses(connector.name, quantity, formulas, worst, connector, POSES))
+            found.append(Comparison.at_poses(connector.name, quantity, formulas, worst, connector, connector.count))
     return found

@@ -15,22 +15,12 @@ from functools import partial
 import numpy as np
 
 from agreement import ROUNDINGS, UNIT, Comparison, gap
-from connectors import ALIGN, JOIN, SLOT, TRANSLATOR, UJOINT, UNIVERSAL, Connector, Node
+from connectors import ALL, Connector, Node
 from export import Export
 from motions import A, B, Body, element
 
 STEPS, STEP = 1000, 1e-3
 GRAVITY = np.array([0.0, 0.0, -9.81])
-SLIDES = ("slide x", "slide y", "slide z")
-#: The connectors as joints between a and b.
-JOINTS: dict[Connector, tuple[str, ...]] = {
-    JOIN: ("ball",),
-    SLOT: ("slide x", "ball"),
-    ALIGN: SLIDES,
-    TRANSLATOR: ("slide x",),
-    UNIVERSAL: (*SLIDES, "universal"),
-    UJOINT: ("universal",),
-}
 #: The equations of these runs magnify roundings by their condition, which is below this.
 CONDITION = 32
 
@@ -85,9 +75,9 @@ def comparisons(tree: type) -> list[Comparison]:
         return max(error(connector, export, state) for state in states)
 
     found = []
-    for connector, joints in JOINTS.items():
+    for connector in ALL:
         formulas = connector.rows() | connector.forces() | {"element.arm": ["m_node"]}
-        measure = partial(worst, connector, joints)
+        measure = partial(worst, connector, connector.joints)
         bound = CONDITION * ROUNDINGS * UNIT
         found.append(
             Comparison(connector.name, "accelerations and reactions", formulas, measure, STEPS, "steps", bound)

@@ -11,7 +11,12 @@ hundreds of digits are right.
     0.6
 """
 
-from . import contact, elements, interaction, slide_line, slider, slot, translator, ujoint  # noqa: F401  (importing fills CATALOG)
+from importlib import import_module
+from pkgutil import iter_modules
+
 from .core import CATALOG, Ambiguous, OutsideDomain, evaluate, jacobian, kinks
+
+for module in iter_modules(__path__):
+    import_module(f".{module.name}", __name__)  # This fills CATALOG.
 
 __all__ = ["CATALOG", "Ambiguous", "OutsideDomain", "evaluate", "jacobian", "kinks"]

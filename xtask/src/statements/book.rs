@@ -147,16 +147,20 @@ fn short(path: &str) -> String {
 /// The description of each document, how to find it, its sections, and the text that was used.
 fn sources(documents: &[Document]) -> String {
     let mut text = String::new();
-    for Document { source, about, found, sections, bytes, sha256, statements, .. } in documents {
+    for Document { source, about, found, sections, text: used, statements, .. } in documents {
         let sections = match *sections {
             [] => "none in our text".to_owned(),
             sections => sections.iter().map(|section| format!("*{section}*")).collect::<Vec<_>>().join("; "),
         };
+        let used = match used {
+            Some((bytes, sha256)) => format!("{bytes} bytes, SHA-256 `{sha256}`"),
+            None => format!("[the page]({})", source.link),
+        };
         let anchor = source.title.to_lowercase().replace(' ', "-");
         let _ = write!(
             text,
-            "## {title}\n\n{about}\n\n- **To find it:** {found}\n- **Sections:** {sections}\n- **Text used:** {bytes} bytes, \
-             SHA-256 `{sha256}`\n- **Statements:** [{count}](traceability.html#{anchor})\n\n",
+            "## {title}\n\n{about}\n\n- **To find it:** {found}\n- **Sections:** {sections}\n- **Text used:** {used}\n\
+             - **Statements:** [{count}](traceability.html#{anchor})\n\n",
             title = source.title,
             count = statements.len()
         );

@@ -15,10 +15,9 @@ pub(crate) struct Document {
     pub(crate) found: &'static str,
     /// Its headings, in its own words.
     pub(crate) sections: &'static [&'static str],
-    /// The size of the text that was used.
-    pub(crate) bytes: usize,
-    /// The checksum of that text: the output of `sha256sum` for the file we received, determined once, by hand.
-    pub(crate) sha256: &'static str,
+    /// The size and the checksum of the text that was used, if we received one: the output of `sha256sum` for the file, determined
+    /// once, by hand.
+    pub(crate) text: Option<(usize, &'static str)>,
     /// Its statements.
     pub(crate) statements: Vec<Statement>,
 }

@@ -37,8 +37,7 @@ pub(super) fn document() -> Document {
             "Element output",
             "Node ordering and integration point numbering",
         ],
-        bytes: 9555,
-        sha256: "937453e8b0f6469deb347e891b3df7eb420cec308cb14f4574a9806dc42f7d08",
+        text: Some((9555, "937453e8b0f6469deb347e891b3df7eb420cec308cb14f4574a9806dc42f7d08")),
         statements: [basis(), line(), elements(), interactions(), torque(), library()].into_iter().flatten().collect(),
     }
 }

@@ -17,8 +17,7 @@ pub(super) fn document() -> Document {
         found: "The text calls its subject *the sliding constraint*, an MPC. It names the products Abaqus/Standard and \
                 Abaqus/Explicit, and gives no title.",
         sections: &[],
-        bytes: 2168,
-        sha256: "5484cd2e520cbf705f2c4031f072ede5105a0ad0da3dd3ccc27eff09bc47562d",
+        text: Some((2168, "5484cd2e520cbf705f2c4031f072ede5105a0ad0da3dd3ccc27eff09bc47562d")),
         statements: [line(), constraint(), derivative(), plane()].into_iter().flatten().collect(),
     }
 }

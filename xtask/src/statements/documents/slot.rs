@@ -15,8 +15,7 @@ pub(super) fn document() -> Document {
         found: "The page is titled SLOT. It names the products Abaqus/Standard, Abaqus/Explicit and Abaqus/CAE, and refers to \
                 *Connector Elements* and *Connector Element Library*.",
         sections: &["Description", "Friction", "Summary"],
-        bytes: 3387,
-        sha256: "3eef9d37b735278658ac0aa3ef3102fc12f60a6f2bf2f418f69bbeec13ecda63",
+        text: Some((3387, "3eef9d37b735278658ac0aa3ef3102fc12f60a6f2bf2f418f69bbeec13ecda63")),
         statements: [position(), friction(), summary()].into_iter().flatten().collect(),
     }
 }

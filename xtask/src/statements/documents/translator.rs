@@ -17,8 +17,7 @@ pub(super) fn document() -> Document {
         found: "The page is titled TRANSLATOR. It names the products Abaqus/Standard, Abaqus/Explicit and Abaqus/CAE, and refers \
                 to *Connector elements* and *Connector element library*.",
         sections: &["Description", "Friction", "Summary"],
-        bytes: 3594,
-        sha256: "9eeac7fb0b5aa274554c5736a9b77332875f2fa8ec0ea03fb1b3a0cc3cf6c119",
+        text: Some((3594, "9eeac7fb0b5aa274554c5736a9b77332875f2fa8ec0ea03fb1b3a0cc3cf6c119")),
         statements: [description(), friction(), summary()].into_iter().flatten().collect(),
     }
 }

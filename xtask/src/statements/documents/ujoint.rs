@@ -16,8 +16,7 @@ pub(super) fn document() -> Document {
         found: "The page is titled UJOINT. It names the products Abaqus/Standard, Abaqus/Explicit and Abaqus/CAE, and refers to \
                 *Connector Elements* and *Connector Element Library*.",
         sections: &["Description", "Friction", "Summary"],
-        bytes: 8134,
-        sha256: "2cd619fd7d0ccc2a53ca2df84f55ef3766d548a865b16d90d3d47453e8d7141f",
+        text: Some((8134, "2cd619fd7d0ccc2a53ca2df84f55ef3766d548a865b16d90d3d47453e8d7141f")),
         statements: [description(), loads(), decomposition(), friction(), contact_moments(), summary()]
             .into_iter()
             .flatten()
