@@ -68,7 +68,7 @@ fn bad_interactions_are_named() {
     assert_eq!(message(hard.with_damping(-1.0, 1.0, 0.0)), "mu0 is -1.0; allowed is a finite number ≥ 0");
     assert_eq!(message(hard.with_damping(1.0, 0.0, 0.0)), "c0 is 0.0; allowed is a finite number > 0");
     assert_eq!(message(hard.with_damping(1.0, 1.0, 1.0)), "eta is 1.0; allowed is a number ≥ 0 and < 1");
-    assert_eq!(message(hard.with_friction(0.1, 0.0)), "stiffness is 0.0; allowed is a finite number > 0");
+    assert_eq!(message(hard.with_friction(0.1, 0.0)), "k_stick is 0.0; allowed is a finite number > 0");
 }
 
 /// Numbers that are exact in binary.

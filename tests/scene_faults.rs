@@ -62,7 +62,7 @@ fn every_mistake_is_reported_with_its_place() {
         "outputs[2] (line 20, column 27): no output \"U9\"; allowed is one of ",
         "elements.\"s 1\".nodes[1] (line 10, column 45): no node \"c\"; allowed is one of \"a\", \"b\"",
         "elements.\"s 1\".mu (line 10, column 57): -0.5; allowed is a finite number ≥ 0",
-        "elements.\"s 1\" (line 10, column 12): no \"k_stick\", needed for scene.stick; allowed is a number, the stiffness in stick",
+        "elements.\"s 1\" (line 10, column 12): no \"k_stick\", needed for coulomb.response; allowed is a number, the stiffness in stick",
         "elements.\"s 1\" (line 10, column 12): l1_min = 2.0 is above l1_max = 1.0; allowed is l1_min ≤ l1_max",
         "elements.\"s 2\".kind (line 11, column 22): no kind \"slott\"; allowed is one of slot, translator, align, ujoint, join, universal, slider",
         "elements.\"s 3\" (line 12, column 12): an element without \"kind\"; allowed is one of slot, translator, align, ujoint, join, universal, slider",
@@ -160,7 +160,7 @@ fn a_coefficient_of_zero_needs_no_stiffness() {
         ))
     };
     assert!(read("").is_ok() && read(r#", "mu": 0"#).is_ok() && read(r#", "mu": 0.5, "k_stick": 1"#).is_ok());
-    assert!(read(r#", "mu": 0.5"#).unwrap_err().to_string().contains("no \"k_stick\", needed for scene.stick"));
+    assert!(read(r#", "mu": 0.5"#).unwrap_err().to_string().contains("no \"k_stick\", needed for coulomb.response"));
 }
 
 #[test]

@@ -31,7 +31,7 @@ fn plan(outputs: &str) -> Vec<(&'static str, usize)> {
 fn only_what_an_output_needs_is_evaluated_and_each_node_once() {
     let search = ("slide_line.closest_smoothed_linear", 5);
     let slip = ("slide_line.slip_increment_linear", 5);
-    let (pressure, map) = (("interaction.pressure_linear", 5), ("coulomb.return_map", 5));
+    let (pressure, map) = (("interaction.pressure_linear", 5), ("coulomb.response", 5));
     assert_eq!(plan("[]"), []);
     assert_eq!(plan(r#"["E11"]"#), [search]);
     assert_eq!(plan(r#"["E12"]"#), [search, slip]);
@@ -212,7 +212,7 @@ fn an_overflow_is_blamed_on_the_formula_and_the_place_where_it_was() {
     let viscous = r#""damping": {"mu0": 1e308, "c0": 1, "eta": 0}"#;
     expect(&ring(1e9, viscous, r#"["S11"]"#), &node("interaction.damping"));
     let sticking = r#""pressure": {"k": 1}, "friction": {"mu": 1e308, "k_stick": 1e308}"#;
-    expect(&ring(1e9, sticking, r#"["S12"]"#), &node("coulomb.return_map: s12 is too large"));
+    expect(&ring(1e9, sticking, r#"["S12"]"#), &node("coulomb.response: s12 is too large"));
 
     // Two elements with torques that are doubles each, but not together.
     let torque = Results::of(&scene(&ring(10.0, r#""pressure": {"k": 1}"#, r#"["T"]"#))).unwrap();

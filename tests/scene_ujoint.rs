@@ -32,7 +32,7 @@ fn only_what_an_output_needs_is_evaluated() {
     // Φ is that of the friction moment, which is found over the increments.
     let yields = plan(r#"["PHI1"]"#);
     assert_eq!(yields.last().map(String::as_str), Some("coulomb.yield"));
-    assert_eq!(yields.iter().filter(|line| *line == "coulomb.return_map").count(), 1);
+    assert_eq!(yields.iter().filter(|line| *line == "coulomb.response").count(), 1);
     // The angle is followed, and with it the other.
     let passes = plan(r#"["GAP1MAX"]"#);
     assert_eq!(passes[..4], ["start: universal.angles", "universal.angles", "scene.follow", "scene.follow"]);
@@ -41,8 +41,8 @@ fn only_what_an_output_needs_is_evaluated() {
     assert_eq!(plan(r#"["GROT"]"#), ["start: universal.constraint", "universal.constraint"]);
     let friction = plan(r#"["CSM1"]"#);
     let count = |formula: &str| friction.iter().filter(|line| *line == formula).count();
-    // About one axis only, so one trial and one return map.
-    assert_eq!((count("scene.stick"), count("coulomb.return_map"), count("scene.slip")), (1, 1, 0), "{friction:?}");
+    // About one axis only, so one increment and one response.
+    assert_eq!((count("scene.increment"), count("coulomb.response"), count("scene.slip_total")), (1, 1, 0), "{friction:?}");
 }
 
 #[test]

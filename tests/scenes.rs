@@ -336,7 +336,7 @@ fn the_rules_of_scenes_pass_the_audit() {
     assert!(failed.is_empty(), "{failed:#?}");
     let smooth = RULES.iter().filter(|rule| rule.kinks_as_printed().is_empty()).map(|rule| rule.spec().id);
     let known =
-        ["scene.stick", "scene.follow", "scene.kinetic", "scene.join_force", "scene.bearing", "scene.turned_back"];
+        ["scene.increment", "scene.follow", "scene.kinetic", "scene.join_force", "scene.bearing", "scene.turned_back"];
     assert_eq!(smooth.collect::<Vec<_>>(), known);
 }
 

@@ -50,7 +50,7 @@ impl<D: Scalar> JoinRows<D> {
     ///
     /// ```
     /// use jointproof::connector::slot::Positions;
-    /// use jointproof::element::join::Rows;
+    /// use jointproof::element::line::Rows;
     /// use jointproof::formula::value;
     /// use nalgebra::Vector3;
     /// let [e1a, e2a, e3a] = [Vector3::x(), Vector3::y(), Vector3::z()];

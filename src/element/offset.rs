@@ -50,7 +50,7 @@ impl Formula for Arm {
 ///
 /// ```
 /// use jointproof::connector::slot::Positions;
-/// use jointproof::element::join::Rows;
+/// use jointproof::element::line::Rows;
 /// use jointproof::element::offset::Arms;
 /// use jointproof::formula::value;
 /// use nalgebra::Vector3;

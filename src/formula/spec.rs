@@ -119,7 +119,7 @@ impl Spec {
     /// The bounds of η of value and Jacobian that the audit checks, in words.
     ///
     /// ```
-    /// use jointproof::element::slider::Rows;
+    /// use jointproof::connector::slider::rows::Rows;
     /// use jointproof::formula::Formula;
     /// use jointproof::connector::ujoint::HingeAxial;
     /// assert_eq!(HingeAxial::SPEC.accuracy(), "η at most 2 of the value, 3 of the Jacobian");

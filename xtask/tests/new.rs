@@ -10,7 +10,7 @@ fn a_skeleton_is_written_in_the_places_of_its_neighbours() {
     let bench = Bench::with(&PARTS);
     let ran = bench.run(&["new", "slot.made_power"]).quiet();
     let changed =
-        ["src/connector/slot.rs", "src/catalog.rs", "book/src/slot.md"].map(|file| format!("changed {file}\n"));
+        ["src/connector/slot.rs", "src/catalog/list.rs", "book/src/slot.md"].map(|file| format!("changed {file}\n"));
     let written = ["src/connector/slot/made_power.rs", "src/connector/slot/made_power/proof.rs"]
         .map(|file| format!("wrote   {file}\n"));
     let reported = written.concat() + &changed.concat();
@@ -23,7 +23,7 @@ fn a_skeleton_is_written_in_the_places_of_its_neighbours() {
         ("src/connector/slot/made_power.rs", "Spec::new(\"slot.made_power\", \"\", "),
         ("src/connector/slot/made_power/proof.rs", "impl Proved for MadePower {"),
         ("src/connector/slot.rs", "pub use made_power::{MadePower, MadePowerInputs, MadePowerOutputs};\n"),
-        ("src/catalog.rs", "    &slot::Stop,\n    &slot::MadePower,\n"),
+        ("src/catalog/list.rs", "    &slot::Stop,\n    &slot::MadePower,\n"),
         ("book/src/slot.md", "{{#formula slot.friction}}\n\n{{#formula slot.made_power}}\n"),
     ] {
         let text = fs::read_to_string(bench.path(file)).unwrap();

@@ -11,7 +11,8 @@ use nalgebra::{Matrix3, Vector3};
 /// An ALIGN connector.
 ///
 /// ```
-/// use jointproof::connector::{align::Align, frame::Triad};
+/// use jointproof::connector::{align::Align};
+/// use jointproof::element::frame::Triad;
 /// use nalgebra::Vector3;
 ///
 /// let [a, b] = [Triad::global(), Triad::global()];
@@ -107,7 +108,8 @@ impl Align {
 /// their derivative by a spin of b is the triad of a, of condition number 1, so that m1, m2, m3 are conjugate to them there.
 ///
 /// ```
-/// use jointproof::connector::{align::{Align, AlignFromStart}, frame::Triad};
+/// use jointproof::connector::{align::{Align, AlignFromStart}};
+/// use jointproof::element::frame::Triad;
 /// use nalgebra::Vector3;
 ///
 /// let a = Triad::global();

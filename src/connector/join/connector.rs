@@ -11,7 +11,8 @@ use nalgebra::Vector3;
 /// A JOIN connector.
 ///
 /// ```
-/// use jointproof::connector::{frame::Triad, join::Join, slot::Pose};
+/// use jointproof::connector::{join::Join, slot::Pose};
+/// use jointproof::element::frame::Triad;
 /// use nalgebra::Vector3;
 ///
 /// let mut pose = Pose { triad: Triad::global(), xa: Vector3::zeros(), xb: Vector3::new(1.0, 0.0, 0.0) };

@@ -287,7 +287,7 @@ impl<D: Scalar> SliderStiffness<D> {
     /// All blocks in their places, for the translations of nodes 1, n and m.
     ///
     /// ```
-    /// use jointproof::element::slider::{GeometricStiffness, SliderLoads};
+    /// use jointproof::connector::slider::rows::{GeometricStiffness, SliderLoads};
     /// use jointproof::formula::value;
     /// use nalgebra::Vector3;
     /// // A line along y, m in its middle: t1 = −k, and P = −(λ1/l) j ⊗ t1.

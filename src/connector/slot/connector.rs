@@ -170,7 +170,8 @@ macro_rules! line_options {
 /// A SLOT connector in space.
 ///
 /// ```
-/// use jointproof::connector::{frame::Triad, slot::{Pose, Slot, SlotState}};
+/// use jointproof::connector::slot::{Pose, Slot, SlotState};
+/// use jointproof::element::frame::Triad;
 /// use nalgebra::{Vector2, Vector3};
 ///
 /// let mut pose = Pose { triad: Triad::global(), xa: Vector3::zeros(), xb: Vector3::new(1.0, 2.0, 3.0) };
@@ -321,7 +322,8 @@ fn relative_position(pose: &Pose) -> Result<Relative<f64>, Error> {
 /// A SLOT connector in the plane: no third axis, no z and no f3.
 ///
 /// ```
-/// use jointproof::connector::{frame::PlaneTriad, slot::{Pose2d, Slot2d}};
+/// use jointproof::connector::slot::{Pose2d, Slot2d};
+/// use jointproof::element::frame::PlaneTriad;
 /// use nalgebra::Vector2;
 ///
 /// let mut pose = Pose2d { triad: PlaneTriad::global(), xa: Vector2::zeros(), xb: Vector2::new(1.0, 2.0) };

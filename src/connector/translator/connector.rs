@@ -70,7 +70,8 @@ pub struct Gradient {
 /// A TRANSLATOR connector.
 ///
 /// ```
-/// use jointproof::connector::{frame::Triad, translator::{Loads, Pose, Translator}};
+/// use jointproof::connector::translator::{Loads, Pose, Translator};
+/// use jointproof::element::frame::Triad;
 /// use nalgebra::Vector3;
 ///
 /// let global = Triad::global();

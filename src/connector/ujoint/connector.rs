@@ -138,7 +138,8 @@ impl UJointContact<f64> {
 /// A UJOINT connector.
 ///
 /// ```
-/// use jointproof::connector::{frame::Triad, ujoint::{Cross, Loads, Pose, Stops, UJoint}};
+/// use jointproof::connector::ujoint::{Cross, Loads, Pose, Stops, UJoint};
+/// use jointproof::element::frame::Triad;
 /// use nalgebra::Vector3;
 /// use std::f64::consts::FRAC_PI_2;
 ///

@@ -15,7 +15,8 @@ use nalgebra::{Vector1, Vector3};
 /// A UNIVERSAL connector.
 ///
 /// ```
-/// use jointproof::connector::{frame::Triad, universal::Universal};
+/// use jointproof::connector::{universal::Universal};
+/// use jointproof::element::frame::Triad;
 /// use nalgebra::Vector3;
 ///
 /// let a = Triad::global();

@@ -9,7 +9,8 @@ use crate::number::scalar::Scalar;
 /// The Cardan angles of b relative to a.
 ///
 /// ```
-/// use jointproof::connector::{cardan::between, frame::Triad};
+/// use jointproof::element::cardan::between;
+/// use jointproof::element::frame::Triad;
 /// use nalgebra::Vector3;
 ///
 /// let b = Triad::new(Vector3::x(), Vector3::z(), -Vector3::y())?; // a quarter turn about the first axis

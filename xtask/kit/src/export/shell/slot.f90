@@ -21,7 +21,8 @@ contains
         real(dp), intent(out) :: after(states), residual(multipliers), rows(multipliers, 12), force(12), &
             stiffness(12, 12), by_multipliers(12, multipliers)
         integer, intent(out) :: code
-        real(dp) :: x, y, z, fn, p, phi, friction, slip, normal(15), slope(10), pressing(2), g(9, 3), fa(3), ma(3), fb(3), ua_ta(9), ta_ta(9), row(12), zero(3)
+        real(dp) :: x, y, z, fn, p, phi, friction, slip, normal(15), slope(10), pressing(2), g(9, 3), &
+            fa(3), ma(3), fb(3), ua_ta(9), ta_ta(9), row(12), zero(3)
 
         zero = 0
         after = before

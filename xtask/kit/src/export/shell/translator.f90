@@ -23,7 +23,8 @@ contains
         real(dp), intent(out) :: after(states), residual(multipliers), rows(multipliers, 12), force(12), &
             stiffness(12, 12), by_multipliers(12, multipliers)
         integer, intent(out) :: code
-        real(dp) :: x, y, z, fn, p, phi, friction, slip, normal(30), slope(10), press(5), g(9, 3), r(3, 3), fa(3), ma(3), fb(3), na(3), nb(3), ua_ta(9), &
+        real(dp) :: x, y, z, fn, p, phi, friction, slip, normal(30), slope(10), press(5), g(9, 3), &
+            r(3, 3), fa(3), ma(3), fb(3), na(3), nb(3), ua_ta(9), &
             ta_ta(9), tb_tb(9), row(12), aligning(12, 12), m(3), pressing(3), by_ta(3), by_tb(3), zero(3)
         integer :: k
 
