@@ -32,8 +32,8 @@ fn every_formula_of_the_catalog_passes() {
     });
 }
 
-/// The audit of a formula uses all its hard cases; here it is given each hard case of some formulas as a single point, and one of
-/// every other.
+/// The audit of a formula uses all its hard cases; here each hard case of some formulas is given alone, as a single point, and
+/// one hard case of every other formula.
 #[test]
 fn hard_cases_alone_pass() {
     CATALOG.par_iter().enumerate().for_each(|(k, formula)| {

@@ -143,7 +143,7 @@ fn columns_begin_with_different_lines_of_the_cache() {
 #[test]
 fn every_row_has_its_own_bits_on_any_number_of_threads() {
     let formula = find("slot.friction").unwrap();
-    // More rows than a single thread is worth.
+    // Enough rows for more than one thread.
     let points = points(formula, 9000, 30);
     for threads in [1, 3] {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();

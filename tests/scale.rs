@@ -13,7 +13,7 @@ use std::path::PathBuf;
 
 /// The scales from which a formula states one.
 const SCALES: [f64; 15] = [1e3, 1e5, 1e10, 1e15, 1e20, 1e30, 1e40, 1e50, 1e60, 1e80, 1e100, 1e120, 1e150, 1e200, 1e250];
-/// The number of random points, converted to other sizes, at which a search checks whether a bound is exceeded.
+/// The random points, converted to other sizes, at which a search checks whether a bound is exceeded.
 const SEARCHED: Options = Options { samples: 3000, seed: 5 };
 
 fn file() -> PathBuf {

@@ -87,8 +87,8 @@ impl Formula for Constraint {
     )
     .equation(r"g_q = (\mathbf{x}_m-\mathbf{x}_1)\cdot\mathbf{t}_q,\quad q = 1, 2")
     .given(&[Given::new(r"\mathbf{t}_1,\ \mathbf{t}_2", &Basis::SPEC), Given::new(r"\mathbf{n}", &Line::SPEC)])
-    // An entry of ∂g2 is the sum of a rotation about i and one normal to it; where they cancel, their rounding errors remain in
-    // the sum.
+    // An entry of ∂g2 is the sum of the effects of a rotation about i and of one normal to it; where they cancel, their rounding
+    // errors remain in the sum.
     .eta(4.0, 24.0)
     .normwise(4.0, 6.0)
     .scale(1e250)

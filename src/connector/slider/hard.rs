@@ -147,8 +147,8 @@ pub(crate) fn plane_lines() -> Vec<HardLine<2>> {
     ]
 }
 
-/// The kinks where the documented pivots change, for any formula that depends on them, at lines from the origin: `line` is xn −
-/// x1 of inputs, `at` gives inputs with this xn, and `across` those in which only xn is not 0.
+/// The kinks where the documented pivots change, for any formula that depends on them, at lines from the origin: `line` is
+/// xn − x1 of inputs, `at` gives inputs with this xn, and `across` those in which only xn is not 0.
 pub(crate) fn changes_of_pivots<F: Formula>(
     line: fn(&F::Inputs<Octuple>) -> Vector3<Octuple>,
     at: fn(Vector3<f64>) -> F::Inputs<f64>,

@@ -160,8 +160,8 @@ fields! {
     pub struct Coordinate2d<T> { xmi: T = SLIDER_XMI_PLANE }
 }
 
-/// The position of m on the line from one coordinate, with the axes of [`Pivots2d`](super::Pivots2d): xm_i = x1_i +
-/// (n_i/n_k)(xm_k − x1_k).
+/// The position of m on the line from one coordinate, with the axes of [`Pivots2d`](super::Pivots2d):
+/// xm_i = x1_i + (n_i/n_k)(xm_k − x1_k).
 #[derive(Clone, Copy, Debug)]
 pub struct Eliminate2d;
 

@@ -91,9 +91,9 @@ impl Formula for Rows {
             Given::new(r"\mathbf{n}", &Line::SPEC),
             Given::new(r"\xi", &IncrementalConstraint::SPEC),
         ])
-        // An entry is the sum of a rotation of the line and a motion of m along it. Where the two cancel, and with them their
-        // sensitivities to the inputs, their rounding errors remain: of 7 million entries 10 are above 128. Normwise none is
-        // above 6.
+        // The terms of an entry are due to a rotation of the line and to a motion of m along it. Where the two cancel, and with
+        // them their sensitivities to the inputs, their rounding errors remain: of 7 million entries 10 are above 128. Normwise
+        // none is above 6.
         .eta_of_value(6.0)
         .normwise_of_value(5.0)
         .scale(1e250)

@@ -1,5 +1,5 @@
 //! The engine of contact along a slide line: E11, E12, S11 and S12 of a slave node over an increment, and the torque of an
-//! element. It evaluates only what is requested, counts its evaluations, and reports of every error where it occurred and in
+//! element. It evaluates only what is requested, counts its evaluations, and reports for every error where it occurred and in
 //! which formula.
 //!
 //! [`Contact`](super::Contact) requests everything and keeps every state; a scene requests what its outputs need and updates the

@@ -34,8 +34,8 @@ pub fn between(a: &Triad, b: &Triad) -> Result<Angles<f64>, Error> {
 /// The largest condition number of the angles with which a joint may start.
 pub const MOST_CONDITION: f64 = 1e3;
 
-/// The condition number of the derivative of (α, β, γ) with respect to a spin of b: √((1 + |sin β|)/(1 − |sin β|)), which is (1 +
-/// |sin β|)/cos β.
+/// The condition number of the derivative of (α, β, γ) with respect to a spin of b: √((1 + |sin β|)/(1 − |sin β|)), which is
+/// (1 + |sin β|)/cos β.
 ///
 /// The spin is `dα e1a + dβ n + dγ e3b` with n normal to e1a and e3b, so that only the angle between e1a and e3b matters.
 ///

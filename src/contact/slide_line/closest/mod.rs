@@ -14,8 +14,8 @@
 //! 8. Compute E11 = (xs − X)·n; beyond an end from the tangent there.
 //!
 //! With r(u) = (xs − X)·X′ the closed form is ∂u/∂xs = −X′/r′ and ∂u/∂xᵢ = (Nᵢ X′ − Nᵢ′ (xs − X))/r′; and since to first order
-//! the motion of the foot is irrelevant, ∂E11/∂xs = n and ∂E11/∂xᵢ = −Nᵢ n, with Nᵢ + τ Nᵢ′ in place of Nᵢ beyond an end, τ = (xs
-//! − X)·X′/|X′|².
+//! the motion of the foot is irrelevant, ∂E11/∂xs = n and ∂E11/∂xᵢ = −Nᵢ n, with Nᵢ + τ Nᵢ′ in place of Nᵢ beyond an end,
+//! τ = (xs − X)·X′/|X′|².
 //!
 //! At a centre of curvature r′ = 0: two feet merge, and the coordinate u has no derivative; it is set to 0 there.
 //! Near it u is as ill-conditioned as 1/r′, but the separation is not.

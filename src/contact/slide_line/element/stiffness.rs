@@ -1,10 +1,10 @@
 //! The derivative of the normal force of the contact with respect to the nodes, with its magnitude held constant: λ ∂²E11.
 //!
 //! With aᵢ = (1, −Nᵢ) and bᵢ = (0, Nᵢ′/|X′|) for the slave point and the nodes, t·δ = Σ aᵢ t·δxᵢ is the relative motion along the
-//! line and Σ bᵢ n·δxᵢ the rotation of its material. The closest point moves along the line by δs = (Σ aᵢ t·δxᵢ + E11 Σ bᵢ
-//! n·δxᵢ)/(1 − κ E11), from which δ²E11 follows: the blocks −(aᵢ bⱼ t⊗n + bᵢ aⱼ n⊗t + κ aᵢ aⱼ t⊗t + E11 bᵢ bⱼ n⊗n)/(1 − κ E11), a
-//! symmetric matrix. It is infinite if the slave point is at the centre of curvature, and beyond that the point is not the
-//! closest one.
+//! line and Σ bᵢ n·δxᵢ the rotation of its material. The closest point moves along the line by
+//! δs = (Σ aᵢ t·δxᵢ + E11 Σ bᵢ n·δxᵢ)/(1 − κ E11), from which δ²E11 follows: the blocks
+//! −(aᵢ bⱼ t⊗n + bᵢ aⱼ n⊗t + κ aᵢ aⱼ t⊗t + E11 bᵢ bⱼ n⊗n)/(1 − κ E11), a symmetric matrix. It is infinite if the slave point is
+//! at the centre of curvature, and beyond that the point is not the closest one.
 
 #[cfg(feature = "verify")]
 mod proof;
