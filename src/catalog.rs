@@ -349,7 +349,7 @@ fn one_sided(subject: &Subject, kink: &Kink) -> Vec<[f64; 2]> {
 
 /// Every formula.
 ///
-/// A `static`, so that all of its code is compiled once, here, and not again in every program that uses it.
+/// A `static`, so that all of its code is compiled here, once, and not again in every program that reads it.
 #[cfg(feature = "catalog")]
 pub static CATALOG: &[&dyn AnyFormula] = &[
     &slot::RelativePosition,
@@ -461,7 +461,7 @@ pub static CATALOG: &[&dyn AnyFormula] = &[
     &interaction::Damping,
 ];
 
-/// The formula with this identifier.
+/// The formula of this identifier.
 #[cfg(feature = "catalog")]
 pub fn find(id: &str) -> Option<&'static dyn AnyFormula> {
     CATALOG.iter().copied().find(|formula| formula.spec().id == id)

@@ -1,4 +1,4 @@
-//! Elements with their types erased; and, with the feature `catalog`, every one of ours in the order of the book.
+//! Elements whose types the compiler does not know; and, with the feature `catalog`, every one of ours in the order of the book.
 
 use crate::Error;
 #[cfg(feature = "catalog")]
