@@ -1,4 +1,4 @@
-//! Formulas whose types the compiler does not know; and, with the feature `catalog`, every one of ours in the order of the book.
+//! Formulas with their types erased; and, with the feature `catalog`, every one of ours in the order of the book.
 
 mod elements;
 #[cfg(feature = "catalog")]
@@ -26,9 +26,9 @@ use crate::toolkit::verify::{
 use crate::{Error, Octuple};
 use std::borrow::Cow;
 
-/// A formula whose inputs and outputs are not known to the compiler; every [`Proved`] one is.
+/// A formula whose types of inputs and outputs are erased; every [`Proved`] one is.
 pub trait AnyFormula: Send + Sync {
-    /// What is said about it.
+    /// Its specification.
     fn spec(&self) -> Spec;
     /// Its inputs.
     fn inputs(&self) -> &'static [Field];
@@ -36,57 +36,57 @@ pub trait AnyFormula: Send + Sync {
     fn outputs(&self) -> &'static [Field];
     /// The Rust path of the type that implements it.
     fn path(&self) -> &'static str;
-    /// What its own cases are for.
+    /// The flags of its own cases.
     fn cases(&self) -> Vec<Flag>;
     /// Its own laws in words.
     fn laws(&self) -> Vec<String>;
-    /// Where it has no derivative.
+    /// Its kinks.
     fn kinks(&self) -> Vec<KinkEntry>;
-    /// Its golden file, computed now.
+    /// Its golden file, computed anew.
     fn golden(&self) -> golden::File {
         self.golden_with(golden::LEAST_RANDOM)
     }
-    /// Its golden file with at least so many cases drawn at random.
+    /// Its golden file with at least this many random cases.
     fn golden_with(&self, least_random: usize) -> golden::File;
     /// The cases of its golden file without their results; inputs by components in order.
     fn golden_cases(&self) -> Vec<Case<Vec<f64>>>;
-    /// Its audit, executed now.
+    /// Its audit, executed anew.
     fn audit(&self, options: &Options) -> Audit;
-    /// A part of its audit, at its share of the random points.
+    /// A part of its audit, with its share of the random points.
     fn audit_part(&self, options: &Options, shard: Shard) -> Part;
     /// Its audit at one point, given by components in order.
     ///
     /// # Errors
     /// As [`AnyFormula::value`].
     fn audit_at(&self, components: &[f64]) -> Result<Audit, Error>;
-    /// Points at which an equation can be tried that somebody else wrote.
+    /// Points at which an equation written by somebody else can be tried.
     fn trial(&self, options: &Options) -> Trial;
-    /// What judges the answers of another program for it.
+    /// The judge of another program's results for it.
     fn judge(&self) -> Judge;
-    /// The claims of its audit that are about the printed equation: of its value, and of its Jacobian.
+    /// The claims of its audit about the printed equation: about its value and about its Jacobian.
     fn audit_equation(&self, options: &Options) -> [Claim; 2];
-    /// What prose claims about it, checked now.
+    /// The claims of prose about it, checked anew.
     fn claims(&self, claims: &Claims, options: &Options) -> Claim;
-    /// The conditions of its kinks, executed as they are printed.
+    /// The conditions of its kinks, executed as printed.
     fn kinks_as_printed(&self) -> Vec<(String, Printed)>;
-    /// The number that an expression about it is.
+    /// The value of an expression about it.
     fn number(&self, expression: &Claims) -> Octuple;
     /// The outputs at input components given in order.
     ///
     /// # Errors
-    /// What [`value`] says; [`Error::Components`] where their number is wrong.
+    /// As [`value`]; [`Error::Components`] if the number of components is wrong.
     fn value(&self, components: &[f64]) -> Result<Vec<f64>, Error>;
     /// The entries of the closed-form Jacobian, output by output, each over all inputs.
     ///
     /// # Errors
-    /// As [`AnyFormula::value`], but for overflow, which is not looked for.
+    /// As [`AnyFormula::value`], except for overflow, which is not checked.
     fn jacobian(&self, components: &[f64]) -> Result<Vec<f64>, Error>;
     /// Outputs and Jacobian computed together.
     ///
     /// # Errors
     /// As [`AnyFormula::value`], and [`Error::DerivativeOverflow`].
     fn value_and_jacobian(&self, components: &[f64]) -> Result<(Vec<f64>, Vec<f64>), Error>;
-    /// Outputs, and the Jacobian where it is in closed form: what golden files have, and what is exported.
+    /// Outputs, and the Jacobian if it is in closed form: the contents of golden files and of exports.
     ///
     /// # Errors
     /// As [`AnyFormula::value_and_jacobian`].
@@ -97,10 +97,10 @@ pub trait AnyFormula: Send + Sync {
             Ok((self.value(components)?, Vec::new()))
         }
     }
-    /// As [`AnyFormula::value_and_jacobian`], written into slices of just as many numbers, without allocation.
+    /// As [`AnyFormula::value_and_jacobian`], written into slices of the exact length, without allocation.
     ///
     /// # Errors
-    /// As there, and [`Error::Components`] where a slice has another length; nothing is written then.
+    /// As there, and [`Error::Components`] if a slice has another length; nothing is written then.
     fn value_and_jacobian_into(&self, i: &[f64], value: &mut [f64], jacobian: &mut [f64]) -> Result<(), Error>;
     #[cfg(feature = "batch-by-id")]
     /// See [`batch::entries`].
@@ -122,43 +122,44 @@ pub trait AnyFormula: Send + Sync {
         value: &mut [ArrayViewMut1<f64>],
         jacobian: &mut [ArrayViewMut1<f64>],
     ) -> Result<(), batch::Error>;
-    /// The bounds of η of value and Jacobian, checked at so many points whose inputs are 0 or from 1/`scale` to `scale` in size.
+    /// The bounds of η of value and Jacobian, checked at this many points whose inputs are 0 or from 1/`scale` to `scale` in
+    /// size.
     fn eta_at_scale(&self, scale: f64, options: &Options) -> Vec<Claim>;
-    /// What it does, written down: the value, the closed-form Jacobian, and which inputs it refuses.
+    /// Its graph: the value, the closed-form Jacobian, and the inputs that it rejects.
     ///
     /// # Errors
-    /// What in it cannot be written down.
+    /// The reason why the formula cannot be recorded.
     fn graph(&self) -> Result<Graph, NotRecorded>;
-    /// The same, and what becomes of extreme numbers in it.
+    /// The graph with the given treatment of extreme numbers.
     ///
     /// # Errors
-    /// What in it cannot be written down.
+    /// The reason why the formula cannot be recorded.
     fn graph_with(&self, extremes: Extremes) -> Result<Graph, NotRecorded>;
     #[cfg(feature = "measure-by-id")]
-    /// The errors of every way to compute it, found now.
+    /// The errors of every method of computing it, measured anew.
     fn errors(&self, options: &measure::Options) -> Measurement;
     #[cfg(feature = "measure-by-id")]
-    /// Times every way to compute it, now, and enters that where the errors are known.
+    /// Times every method of computing it, and adds the times to the measurement of the errors.
     fn times(&self, options: &measure::Options, measurement: &mut Measurement);
     #[cfg(feature = "measure")]
-    /// The points over which time is taken: all components of the first point, then of the next.
+    /// The points used for timing: all components of the first point, then of the next.
     fn timing_inputs(&self, options: &measure::Options) -> Vec<f64>;
 }
 
-/// A kink, with what jumps there.
+/// A kink, with the jump there.
 #[derive(Clone, Debug, PartialEq)]
 pub struct KinkEntry {
     /// The condition, in LaTeX.
     pub condition: String,
-    /// What is done there.
+    /// The convention used there.
     pub convention: Convention,
     /// The components of a point on the kink.
     pub at: Vec<f64>,
-    /// The components of a direction that crosses it.
+    /// The components of a direction across it.
     pub across: Vec<f64>,
     /// For every output component, the derivatives across the kink from below and from above.
     pub one_sided: Vec<[f64; 2]>,
-    /// What jumps at the point that the register names; `None` where nothing does, which an audit reports.
+    /// The jump at the point of the register; `None` if there is none, which an audit reports.
     pub sides: Option<Sides>,
 }
 
@@ -281,7 +282,7 @@ impl<F: Proved> AnyFormula for F {
     }
 }
 
-/// A formula without its types, of which the graph is kept: what it does depends on its type alone.
+/// A formula without its types, whose graph is cached: it depends only on the type of the formula.
 fn subject<F: Proved>() -> Subject {
     let mut subject = Subject::of::<F>();
     subject.record = || Cow::Borrowed(graph::recorded::<F>());
@@ -313,19 +314,19 @@ fn from_components<F: Formula>(components: &[f64]) -> Result<F::Inputs<f64>, Err
     F::Inputs::from_slice(components).ok_or(Error::Components { found, expected })
 }
 
-/// Rejects another number of components.
+/// Rejects a wrong number of components.
 fn expect(expected: usize, found: usize) -> Result<(), Error> {
     if found == expected { Ok(()) } else { Err(Error::Components { found, expected }) }
 }
 
-/// Writes the components in order, each into the next place; the places were counted.
+/// Writes the components in order, one after the other; their number was checked before.
 #[inline]
 fn write<'a>(fields: &impl Fields<f64>, places: &mut impl Iterator<Item = &'a mut f64>) {
     fields.for_each_component(&mut |x| *places.next().expect("a place for every component") = x);
 }
 
 /// The derivatives of every output across a kink, from below and from above: one-sided differences in 237 bits, with a step so
-/// short that nothing else is near.
+/// short that nothing else is close.
 fn one_sided(subject: &Subject, kink: &Kink) -> Vec<[f64; 2]> {
     let (at, across) = (exact(&kink.at), exact(&kink.across));
     let step = Octuple::from(1e-40);

@@ -1,5 +1,5 @@
-//! The connectors and constraints of the documents, a folder each: formulas, friction, element, typed connector, and their
-//! evidence. What they are made of is in [`element`](crate::element).
+//! The connectors and constraints of the documents, one folder each: formulas, friction, element, typed connector, and their
+//! evidence. Their building blocks are in [`element`](crate::element).
 
 pub mod align;
 pub mod join;

@@ -1,34 +1,34 @@
 //! The documented equations of sliding and universal joints, coded once and proved.
 //!
-//! Finite-element manuals document connectors, constraints and contact by equations. Here each equation is written
-//! **once**, generic over its number type; everything else (value, check of the hand-derived Jacobian, exact
-//! reference, golden file, error figure, book entry) is derived from that one definition, so that none can drift.
+//! Finite-element manuals document connectors, constraints and contact by equations. Here each equation is written **once**,
+//! generic over its number type; everything else (value, check of the hand-derived Jacobian, exact reference, golden file, error
+//! figure, book entry) is derived from that one definition, so that none can diverge.
 //!
-//! | module | what is in it |
+//! | module | contents |
 //! |---|---|
-//! | [`number`] | what a formula may do to a number, and the numbers it runs in: `f64`, dual numbers over it, 237 bits |
-//! | [`formula`] | what a formula is; the vocabulary of symbols, units and domains; errors; what is said about a formula: cases, kinks, laws |
+//! | [`number`] | the operations of formulas on numbers, and the number types: `f64`, dual numbers over it, 237 bits |
+//! | [`formula`] | the definition of a formula; the vocabulary of symbols, units and domains; errors; the evidence of a formula: cases, kinks, laws |
 //! | [`contact`] | friction, interaction laws, slide lines and the axisymmetric elements that slide along them |
 //! | [`connector`] | SLOT, ALIGN, TRANSLATOR, JOIN, UNIVERSAL, UJOINT and SLIDER: formulas, Jacobians, and the typed connectors; frames and Cardan angles |
-//! | [`element`] | from equations to an element: rows, nodal forces and geometric stiffness by translations and spins |
-//! | `toolkit` | for any formula: `verify` proves it, `graph` writes it down, `equation` executes its printed equation, `measure` finds how fast and how wrong it is, `batch` computes it at many points |
+//! | [`element`] | from equations to an element: rows, nodal forces and geometric stiffness with respect to translations and spins |
+//! | `toolkit` | for any formula: `verify` proves it, `graph` records it, `equation` executes its printed equation, `measure` measures its speed and its errors, `batch` evaluates it at many points |
 //! | `catalog` | every formula by identifier |
 //! | `scene` | scene files: parsed, validated, planned, evaluated |
 //!
 //! # Features
 //!
-//! Without features there are the formulas, their connectors and what these need. Nothing is on by default.
+//! Without features the crate contains the formulas, their connectors and what these need. No feature is enabled by default.
 //!
 //! | feature | what it adds |
 //! |---|---|
 //! | `batch` | `batch` |
-//! | `batch-avx512` | `batch`, and its rows eight at a time where the processor has AVX-512 |
+//! | `batch-avx512` | `batch`, with eight rows at a time on processors with AVX-512 |
 //! | `verify` | `Octuple` (237 bits, the exact reference) and `Single`, `proof`, `graph`, `equation`, `verify`, and formulas by name: `catalog::AnyFormula` |
 //! | `catalog` | every formula by identifier, with its proof: `catalog::CATALOG` and `catalog::find` |
-//! | `batch-by-id` | batches by `catalog::AnyFormula`, and `batch` and `verify` with them |
-//! | `measure` | `measure`, and `batch` and `verify` with it |
-//! | `measure-by-id` | the same by `catalog::AnyFormula`, and `batch-by-id` and `batch-avx512` with it |
-//! | `scene` | `scene`, and `verify` with it: a scene can show the error of every number |
+//! | `batch-by-id` | batches by `catalog::AnyFormula`, including `batch` and `verify` |
+//! | `measure` | `measure`, including `batch` and `verify` |
+//! | `measure-by-id` | the same by `catalog::AnyFormula`, including `batch-by-id` and `batch-avx512` |
+//! | `scene` | `scene`, including `verify`: a scene can show the error of every number |
 //!
 //! ```
 //! use jointproof::formula::value_and_jacobian;

@@ -1,5 +1,5 @@
-//! The audit passes on the catalog, and catches what is planted: a wrong sign, a missing factor 2, a swapped index, a
-//! wrong value at a kink, an inaccurate algorithm.
+//! The audit passes for the catalog, and detects planted faults: a wrong sign, a missing factor 2, a swapped index, a wrong value
+//! at a kink, an inaccurate algorithm.
 
 use crate::common;
 use jointproof::catalog::CATALOG;
@@ -20,11 +20,11 @@ mod planted;
 
 #[test]
 fn every_formula_of_the_catalog_passes() {
-    // Points of another seed than those of `verify`, which takes a thousand.
+    // Points of a different seed from those of `verify`, which uses a thousand.
     CATALOG.par_iter().for_each(|formula| {
         let audit = formula.audit(&Options { samples: 25, seed: 2 });
         assert!(audit.passed(), "{audit:#?}");
-        // No registered kink is lost: the graph alone leads to each.
+        // No registered kink is missed: the graph alone leads to each.
         if let Some(Looked::Graph { search, .. }) = audit.looked {
             let lost = formula.kinks().into_iter().find(|kink| !search.found.contains(&kink.condition));
             assert!(lost.is_none(), "{}: {lost:?} is not among {:?}", audit.formula, search.found);
@@ -32,7 +32,8 @@ fn every_formula_of_the_catalog_passes() {
     });
 }
 
-/// The audit of a formula is of all its hard cases; here each of some formulas is a point that is given, and one of every other.
+/// The audit of a formula uses all its hard cases; here each hard case of some formulas is given alone, as a single point, and
+/// one hard case of every other formula.
 #[test]
 fn hard_cases_alone_pass() {
     CATALOG.par_iter().enumerate().for_each(|(k, formula)| {
@@ -43,7 +44,7 @@ fn hard_cases_alone_pass() {
         for case in hard.into_iter().skip(k % step).step_by(step) {
             let inputs = verify::golden::components(formula.inputs(), &case.inputs).unwrap();
             let audit = formula.audit_at(&inputs).unwrap();
-            // Laws are for points in general position; derivatives and accuracy are for all.
+            // Laws hold at points in general position; derivatives and accuracy are checked at all.
             let closed = audit.closed_against_ad.iter().chain(&audit.eta_jacobian);
             let claims = [&audit.ad_against_differences, &audit.eta].into_iter().chain(closed);
             let failed: Vec<_> = claims.filter(|claim| claim.failures > 0).collect();
@@ -59,7 +60,7 @@ fn identifiers_are_unique_and_families_are_rooms() {
         let id = formula.spec().id;
         assert!(seen.insert(id), "two formulas are named {id}");
         let family = id.split('.').next().unwrap();
-        // Blocks have names of their own in `element`: those of JOIN are `element::line`.
+        // Blocks have their own module names in `element`: those of JOIN are in `element::line`.
         let is_room = |room: &str| room == family || room == "element";
         assert!(formula.path().split("::").any(is_room), "{id} is implemented by {}", formula.path());
     }
@@ -73,7 +74,7 @@ fn what_jumps_on_a_kink_is_known_and_is_what_its_convention_says() {
             let Some(Sides { rank, sides: [below, above], .. }) = kink.sides else { panic!("{context}") };
             assert_ne!(below, above, "{context}");
             match kink.convention {
-                // The derivative returned, 0, is between those of both sides.
+                // The returned derivative, 0, is between those on both sides.
                 Convention::Subgradient => assert!(rank == Rank::Slope && below * above < 0.0, "{context}"),
                 Convention::Cut => assert!(rank == Rank::Value && (above - below).abs() == TAU, "{context}"),
                 Convention::Switch => {}

@@ -1,4 +1,4 @@
-//! Parts of an audit, joined in any groups, are byte for byte the audit of one machine.
+//! Parts of an audit, joined in any groups, equal the audit of one machine byte for byte.
 
 use jointproof::catalog::AnyFormula;
 use jointproof::connector::{slot, translator};
@@ -12,7 +12,7 @@ fn parts(formula: &dyn AnyFormula, of: usize) -> Vec<Part> {
     (1..=of).map(part).collect()
 }
 
-/// Through JSON, as parts travel.
+/// As JSON, the form in which parts are sent.
 fn bytes(audit: &Audit) -> String {
     serde_json::to_string(audit).unwrap()
 }
@@ -33,7 +33,7 @@ fn parts_are_the_whole_however_many_and_however_joined() {
         let whole = formula.audit(&OPTIONS);
         assert!(whole.passed(), "{whole:#?}");
         assert_eq!(whole.random_points, OPTIONS.samples);
-        // Of 64 parts many have no point.
+        // Many of 64 parts have no point.
         for of in [1, 3, 16, 64] {
             let all = parts(formula, of).iter().map(sent).collect::<Vec<_>>();
             let in_order = joined(all.clone()).into_audit().unwrap();

@@ -49,21 +49,21 @@ fn the_wrong_number_of_components_is_an_error() {
     }
 }
 
-/// The numbers of output components and of entries of the Jacobian.
+/// The number of output components, and that of entries of the Jacobian.
 fn lengths(formula: &dyn AnyFormula) -> [usize; 2] {
     let count = |fields: &[Field]| fields.iter().map(Field::len).sum::<usize>();
     let outputs = count(formula.outputs());
     [outputs, outputs * count(formula.inputs())]
 }
 
-/// The first of the golden cases that are valid.
+/// The first valid golden case.
 fn valid_inputs(formula: &dyn AnyFormula) -> Vec<f64> {
     let golden = common::golden(formula);
     let case = golden.cases.iter().find(|case| !case.flags.contains(&Flag::Invalid)).unwrap();
     components(formula.inputs(), &case.inputs).unwrap()
 }
 
-/// Checked, one after the other, and beside each other, as the golden case says.
+/// Checked value and Jacobian have the same bits as each computed alone, at every valid golden case.
 #[test]
 fn what_is_checked_is_what_is_computed() {
     for formula in CATALOG {
@@ -88,7 +88,7 @@ fn bits(x: &[f64]) -> Vec<u64> {
     x.iter().map(|x| x.to_bits()).collect()
 }
 
-/// One component alone is bad, and then it and all behind it: the first bad one is named.
+/// One component alone is bad, or it and all after it: the first bad one is named.
 #[test]
 fn every_component_that_is_bad_is_named() {
     for formula in CATALOG {
@@ -126,7 +126,7 @@ fn assert_refused(formula: &dyn AnyFormula, inputs: &[f64], message: &str) {
     assert_eq!(error.to_string(), message, "{id}");
 }
 
-/// Finite numbers just outside of a domain.
+/// Finite numbers just outside a domain.
 fn outside(domain: Domain) -> Vec<f64> {
     match domain {
         Domain::NonNegative => vec![-5e-324, -1.0],
@@ -138,7 +138,7 @@ fn outside(domain: Domain) -> Vec<f64> {
     }
 }
 
-/// What overflows is looked for in results that are known to be infinite: those of the formula without checks.
+/// Overflow is looked for in results that are known to be infinite: those of the formula without checks.
 #[test]
 fn outputs_and_derivatives_that_overflow_are_named() {
     let mut found = [0; 2];
@@ -169,7 +169,7 @@ fn outputs_and_derivatives_that_overflow_are_named() {
     assert!(found.iter().all(|&count| count > 10), "{found:?}");
 }
 
-/// The output that this component belongs to.
+/// The output to which this component belongs.
 fn output_at(formula: &dyn AnyFormula, component: usize) -> &'static str {
     let names = formula.outputs().iter().flat_map(|field| std::iter::repeat_n(field.name, field.len()));
     names.collect::<Vec<_>>()[component]
@@ -247,7 +247,7 @@ fn plane_slots_too() {
     assert_message(slot.with_friction(f64::NAN, 0.0), "mu is NaN; allowed is a finite number ≥ 0");
 }
 
-/// Whether two points coincide is mostly decided by a sum of magnitudes; at the limit it must be the length that decides.
+/// Whether two points coincide is mostly decided by a sum of magnitudes; at the limit the length must decide.
 #[test]
 fn points_are_apart_where_their_distance_is_a_normal_number() {
     let directions = [[1.0, 0.0, 0.0], [0.0, -1.0, 1.0], [1.0, 1.0, -1.0], [0.6, 0.0, 0.8], [1.0, 1e-3, 0.0]];

@@ -1,4 +1,4 @@
-//! A batch gives every row the bits that it has alone, and refuses the same rows.
+//! A batch gives every row the same bits as alone, and rejects the same rows.
 
 use jointproof::catalog::{AnyFormula, CATALOG, find};
 use jointproof::connector::slot::ContactForce;
@@ -8,14 +8,14 @@ use jointproof::toolkit::measure::Options;
 use jointproof::toolkit::verify::golden::{File, components};
 use ndarray::{Array2, Axis, arr0};
 
-/// Numbers that many formulas refuse, or that are far from those of other rows.
+/// Numbers that many formulas reject, or that differ greatly from those of other rows.
 const ODD: [f64; 9] = [f64::NAN, f64::INFINITY, -1.0, 0.0, -0.0, 1e200, -1e-200, 5e-324, f64::MAX];
 
 fn components_of(fields: &[Field]) -> usize {
     fields.iter().map(Field::len).sum()
 }
 
-/// Golden points with the invalid ones among them, then random ones, of which so many have an odd number.
+/// Golden points including invalid ones, then random ones, `odd` of which contain an odd number.
 fn points(formula: &dyn AnyFormula, random: usize, odd: usize) -> Array2<f64> {
     let path = format!("{}/golden/{}.json", env!("CARGO_MANIFEST_DIR"), formula.spec().id);
     let cases = File::parse(&std::fs::read_to_string(path).unwrap()).unwrap().cases;
@@ -53,7 +53,7 @@ fn bits<'a>(numbers: impl IntoIterator<Item = &'a f64>) -> Vec<u64> {
     numbers.into_iter().map(|x| if x.is_nan() { u64::MAX } else { x.to_bits() }).collect()
 }
 
-/// What a batch is to say of rows with these results.
+/// The error that a batch must report for rows with these results.
 fn refused<T>(rows: &[Result<T, jointproof::Error>]) -> Option<Error> {
     let wrong = rows.iter().enumerate().filter_map(|(row, result)| Some((row, result.as_ref().err()?.clone())));
     let count = wrong.clone().count();
@@ -67,7 +67,7 @@ fn assert_rows(id: &str, points: &Array2<f64>, found: &Array2<f64>, expected: &[
     }
 }
 
-/// The same points, computed as rows of a table, as its columns, and one by one.
+/// The same points evaluated as rows of a table, as its columns, and one by one.
 fn compare(formula: &dyn AnyFormula, points: &Array2<f64>) {
     let (id, outputs) = (formula.spec().id, components_of(formula.outputs()));
     let expected: Vec<_> = points.rows().into_iter().map(|point| alone(formula, point.as_slice().unwrap())).collect();
@@ -100,7 +100,7 @@ fn every_row_has_its_own_bits() {
     }
 }
 
-/// As many as are computed together, fewer and more, in columns that begin anywhere in a line of the cache.
+/// As many as are computed together, fewer and more, in columns that begin anywhere in a cache line.
 #[test]
 fn every_row_has_its_own_bits_in_batches_of_any_length() {
     let formula = find("slot.friction").unwrap();
@@ -117,7 +117,7 @@ fn every_row_has_its_own_bits_in_batches_of_any_length() {
             let [value, jacobian] =
                 [&mut value, &mut jacobian].map(|table| table.columns_mut().into_iter().collect::<Vec<_>>());
             let inputs: Vec<_> = some.columns().into_iter().collect();
-            // Golden points that are not allowed are among them.
+            // They include golden points that are not allowed.
             let found = formula.batch_value_and_jacobian(&inputs, &mut { value }, &mut { jacobian });
             let refused = refused(&expected[from..from + rows]);
             assert_eq!(format!("{:?}", found.err()), format!("{refused:?}"), "{rows} rows from {from}");
@@ -143,7 +143,7 @@ fn columns_begin_with_different_lines_of_the_cache() {
 #[test]
 fn every_row_has_its_own_bits_on_any_number_of_threads() {
     let formula = find("slot.friction").unwrap();
-    // More rows than are worth a single thread.
+    // Enough rows for more than one thread.
     let points = points(formula, 9000, 30);
     for threads in [1, 3] {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
@@ -190,7 +190,7 @@ fn columns_in_one_piece_and_with_a_stride_go_together() {
     for inputs in [&rows_apart, &whole] {
         let (mut strided, mut others) = (Array2::zeros((rows, 2)), Array2::zeros((outputs - 1, rows)));
         let mut value: Vec<_> = strided.columns_mut().into_iter().take(1).chain(others.rows_mut()).collect();
-        // The golden points that are refused are NaN.
+        // The rejected golden points are NaN.
         let _ = formula.batch_value(inputs, &mut value);
         for (row, point) in points.rows().into_iter().enumerate() {
             let alone = formula.value(point.as_slice().unwrap()).unwrap_or_else(|_| vec![f64::NAN; outputs]);

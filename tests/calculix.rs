@@ -1,12 +1,12 @@
-//! SLIDER against CalculiX, whose `*MPC STRAIGHT` holds a node on the line through two others, and which solves our linear
+//! SLIDER compared with CalculiX, whose `*MPC STRAIGHT` holds a node on the line through two others, and which solves our linear
 //! equations.
 //!
-//! Models of three nodes and three springs: nodes 1 and n move as told, and so does one coordinate of m; the program finds the
-//! other two. It keeps the axis of the largest component of the undeformed line ([`Pivots::largest`]), whatever the line
-//! becomes, and iterates until m is on the deformed line.
+//! Models of three nodes and three springs: the motions of nodes 1 and n are prescribed, and so is one coordinate of m; the
+//! program finds the other two. It keeps the axis of the largest component of the undeformed line ([`Pivots::largest`]), whatever
+//! the line becomes, and iterates until m is on the deformed line.
 //!
-//! Without `ccx` (Debian package `calculix-ccx`) the tests are skipped, unless `JOINTPROOF_REQUIRE_CCX` is set, as in
-//! .ci/run. How well it agrees stands in `tests/data/foreign/calculix.json`, which the book shows; to write it anew:
+//! Without `ccx` (Debian package `calculix-ccx`) the tests are skipped, unless `JOINTPROOF_REQUIRE_CCX` is set, as in .ci/run.
+//! The agreement is recorded in `tests/data/foreign/calculix.json`, which the book shows; to update it:
 //!
 //! ```sh
 //! cargo test --test all calculix:: -- --ignored
@@ -19,7 +19,7 @@ use serde_json::{Value, json};
 use std::fmt::Write;
 use std::process::{Command, Stdio};
 
-/// A line with m on it, how nodes 1 and n are moved, and how far m is along the kept axis.
+/// A line with m on it, the motions of nodes 1 and n, and that of m along the kept axis.
 #[derive(Clone, Copy, Debug)]
 struct Model {
     name: &'static str,
@@ -94,18 +94,18 @@ impl Model {
         Pivots::largest(&Vector3::from(self.x1), &Vector3::from(self.xn)).k
     }
 
-    /// The same motions, so small that only their first order counts.
+    /// The same motions, so small that only their first order matters.
     fn scaled(&self, factor: f64) -> Self {
         let [u1, un] = [self.u1, self.un].map(|u| u.map(|x| x * factor));
         Self { u1, un, umk: self.umk * factor, ..*self }
     }
 
-    /// Held by `*MPC STRAIGHT`, on the deformed line.
+    /// The model with `*MPC STRAIGHT`, on the deformed line.
     fn by_mpc(&self) -> String {
         self.input("*MPC\nSTRAIGHT, 1, 2, 3\n*STEP, NLGEOM, INC=1000\n*STATIC\n1., 1.", self.kept())
     }
 
-    /// Held by our two linear equations, at the undeformed line, and how both are solved for.
+    /// The model with our two linear equations, on the undeformed line.
     fn by_equations(&self) -> String {
         let [x1, xn, xm] = [self.x1, self.xn, self.xm].map(Vector3::from);
         let slider = Slider::new(x1, xn).unwrap();
@@ -113,7 +113,7 @@ impl Model {
         self.input(&format!("{first}{second}*STEP\n*STATIC"), slider.pivots().k)
     }
 
-    /// The input; CalculiX reads 20 characters a number.
+    /// The input; CalculiX reads 20 characters per number.
     fn input(&self, held: &str, kept: usize) -> String {
         let mut input = String::from("*NODE, NSET=ALL\n");
         let mut line = |text: std::fmt::Arguments<'_>| {
@@ -137,7 +137,7 @@ impl Model {
         input
     }
 
-    /// The displacement of m that CalculiX prints for an input, and half a unit of the last digit of each component.
+    /// The displacement of m that CalculiX prints for an input, and half a unit in the last digit of each component.
     fn run(&self, input: String) -> (Vector3<f64>, Vector3<f64>) {
         let folder = tempfile::tempdir().unwrap();
         std::fs::write(folder.path().join("model.inp"), input).unwrap();
@@ -148,7 +148,7 @@ impl Model {
         let of_m = printed.lines().filter_map(|line| line.trim_start().strip_prefix("3 ")).next_back();
         let numbers: Vec<_> = of_m.unwrap_or_else(|| panic!("no node 3 in {printed}")).split_whitespace().collect();
         let value = |axis: usize| numbers[axis].parse::<f64>().unwrap();
-        // 1.234567E-01: six digits behind the point.
+        // 1.234567E-01: six digits after the point.
         let half_unit = |axis: usize| {
             let (mantissa, exponent) = numbers[axis].split_once('E').unwrap();
             assert_eq!(mantissa.trim_start_matches('-').len(), 8, "{printed}");
@@ -158,7 +158,7 @@ impl Model {
     }
 }
 
-/// Whether `ccx` is there.
+/// Whether `ccx` is available.
 fn calculix() -> bool {
     let found = Command::new("ccx").arg("-v").stdout(Stdio::null()).stderr(Stdio::null()).stdin(Stdio::null()).status();
     if found.is_ok() {
@@ -172,7 +172,7 @@ fn calculix() -> bool {
     false
 }
 
-/// A number by CalculiX, ours, and how far they may be apart.
+/// A number from CalculiX, ours, and their allowed difference.
 struct Pair {
     model: &'static str,
     axis: usize,
@@ -193,7 +193,7 @@ fn worst(pairs: &[Pair]) -> f64 {
     pairs.iter().map(error).fold(0.0, f64::max)
 }
 
-/// Where `*MPC STRAIGHT` puts m, and where the elimination does.
+/// The position of m from `*MPC STRAIGHT`, and that from the elimination.
 fn placed() -> Vec<Pair> {
     let mut pairs = Vec::new();
     for model in MODELS {
@@ -202,13 +202,13 @@ fn placed() -> Vec<Pair> {
         let slider = Slider::new(x1 + Vector3::from(model.u1), xn + Vector3::from(model.un)).unwrap();
         let ours = Pivots::new(&(x1 + Vector3::from(model.u1)), &(xn + Vector3::from(model.un)));
         let (k, mut kept) = (model.kept(), xm + u);
-        kept[k] = xm[k] + model.umk; // what it was told, not what is printed of it
+        kept[k] = xm[k] + model.umk; // the prescribed value, not the printed one
         if ours.k != k {
-            // The deformed line has another kept axis: that coordinate of m is known to the printed digits only.
+            // The deformed line has another kept axis: that coordinate of m is known only to the printed digits.
             assert_eq!(model.name, "extremal-pivot");
         }
         let placed = slider.place(kept).unwrap();
-        // Half a unit of the last digit of the coordinate that is kept is worth up to |n_axis/n_k| ≤ √5 of it.
+        // Half a unit in the last digit of the kept coordinate amounts to up to |n_axis/n_k| ≤ √5 of it.
         let slack = if ours.k == k { 0.0 } else { 5.0_f64.sqrt() * half_unit[ours.k] };
         pairs.extend((0..3).map(|axis| Pair {
             model: model.name,
@@ -222,7 +222,7 @@ fn placed() -> Vec<Pair> {
     pairs
 }
 
-/// Small motions by `*MPC STRAIGHT`, and the eliminated increments.
+/// Small motions with `*MPC STRAIGHT`, and the eliminated increments.
 fn increments() -> Vec<Pair> {
     let mut pairs = Vec::new();
     for model in MODELS.map(|model| model.scaled(1e-6)) {
@@ -231,10 +231,10 @@ fn increments() -> Vec<Pair> {
         let Pivots { i, j, k } = Pivots::new(&x1, &xn);
         if k != model.kept() {
             assert_eq!(model.name, "extremal-pivot");
-            continue; // The rules keep different axes, so that other numbers are given.
+            continue; // The rules keep different axes, so that different numbers are given.
         }
         let expected = value::<Increment>(&KeptIncrement { x1, xn, xm, dx1, dxn, dxmk: model.umk }).unwrap();
-        // What is left is of second order in the motion: |dx|²/l, times how far out m is.
+        // The difference is of second order in the motion: |dx|²/l, times the distance of m along the line.
         let size = dx1.amax().max(dxn.amax()).max(model.umk.abs());
         let second_order = 4.0 * size * size * (1.0 + (xm - x1).norm() / (xn - x1).norm());
         pairs.extend([(i, expected.dxmi), (j, expected.dxmj)].map(|(axis, ours)| Pair {
@@ -249,14 +249,14 @@ fn increments() -> Vec<Pair> {
     pairs
 }
 
-/// What CalculiX finds with our equations, and our increments.
+/// The results of CalculiX with our equations, and our increments.
 fn solved() -> Vec<Pair> {
     let mut pairs = Vec::new();
     for model in MODELS {
         let (u, half_unit) = model.run(model.by_equations());
         let [x1, xn, xm, dx1, dxn] = [model.x1, model.xn, model.xm, model.u1, model.un].map(Vector3::from);
         let expected = Slider::new(x1, xn).unwrap().increment(xm, dx1, dxn, model.umk).unwrap();
-        // Half a unit of the 13th digit of six coefficients.
+        // Half a unit in the 13th digit of six coefficients.
         let rounding = 6.0 * 0.5e-12 * (dx1.amax() + dxn.amax() + model.umk) * (xm - x1).norm().max(1.0);
         pairs.extend((0..3).map(|axis| Pair {
             model: model.name,
@@ -270,7 +270,7 @@ fn solved() -> Vec<Pair> {
     pairs
 }
 
-/// A comparison, as the book calls it.
+/// A comparison, with its name in the book.
 type Compared = (&'static str, fn() -> Vec<Pair>);
 
 const COMPARED: [Compared; 3] =
@@ -289,13 +289,13 @@ fn calculix_agrees_no_worse_than_the_book_says() {
     for (said, (quantity, compared)) in recorded.iter().zip(COMPARED) {
         assert_eq!(said["quantity"], quantity);
         let (error, said) = (worst(&compared()), said["worst"].as_f64().unwrap());
-        // Where all printed digits are right, what is left is rounding, and differs from processor to processor.
+        // If all printed digits agree, the difference is due to rounding, and depends on the processor.
         let allowed = f64::max(4.0 * said, 4.0 * f64::EPSILON);
         assert!(error <= allowed, "{quantity}: {error:e}, the book says {said:e}");
     }
 }
 
-/// What is compared would not agree with the other sign, where it is not zero to the printed digits.
+/// The compared numbers would not agree with the opposite sign, unless they are zero to the printed digits.
 #[test]
 fn a_wrong_sign_is_found() {
     if !calculix() {

@@ -1,4 +1,4 @@
-//! Cardan angles: right at every angle, and rejected where they do not exist.
+//! Cardan angles: correct at every angle, and rejected where they do not exist.
 
 #![expect(clippy::float_cmp, reason = "exact results are expected exactly")]
 
@@ -24,7 +24,7 @@ fn axes(of_b: [i32; 3]) -> Triads<f64> {
     Triads::new(a, b)
 }
 
-/// Node a along the global axes, node b at these angles to it.
+/// The triad of a is the global axes, that of b is rotated relative to it by these angles.
 fn at(alpha: f64, beta: f64, gamma: f64) -> Triads<f64> {
     let a = [Vector3::x(), Vector3::y(), Vector3::z()];
     Triads::new(a, turned(&a, &rotation(alpha, beta, gamma)))
@@ -47,7 +47,7 @@ fn quarter_and_half_turns_have_exact_values_and_derivatives() {
         let (angles, jac) = value_and_jacobian::<CardanAngles>(&triads).unwrap();
         assert_eq!(angles, expected, "{of_b:?}");
         assert_eq!(accurate(&triads), expected, "{of_b:?}");
-        // Spinning b about e1a turns α alone, at rate 1.
+        // Spinning b about e1a changes only α, at rate 1.
         let [_, about] = triads.moments(&jac.alpha);
         assert_eq!(about, Vector3::x(), "{of_b:?}");
     }
@@ -75,7 +75,7 @@ fn gimbal_lock_is_named() {
         assert!(matches!(error, Error::GimbalLock { angle: "alpha", .. }), "{error}");
         let error = check::<CardanAngles>(&Triads::from((&a, &b))).unwrap_err();
         assert!(matches!(error, Error::GimbalLock { .. }), "{error}");
-        // The second angle alone is there.
+        // Only the second angle exists.
         let beta = value::<BetaTwoArgument>(&BetaAxes::from(&Triads::from((&a, &b)))).unwrap().beta;
         assert_eq!(beta.abs(), FRAC_PI_2);
     }
@@ -103,7 +103,7 @@ fn an_arc_sine_beyond_1_is_rejected_even_where_the_scalar_product_rounds_to_1() 
         "|e1a·e3b| is above 1 by 8.673617379884035e-19; allowed is at most 1 (or use the two-argument angle, which has \
          no such limit)"
     );
-    // As far below 1, value and derivative are right to an ulp.
+    // Just as far below 1, value and derivative are correct to an ulp.
     triads.e3b.y *= -1.0;
     let (angles, jac) = value_and_jacobian::<CardanAngles>(&triads).unwrap();
     let exact = exactly::<CardanAngles>(&triads);
@@ -112,8 +112,8 @@ fn an_arc_sine_beyond_1_is_rejected_even_where_the_scalar_product_rounds_to_1() 
     assert!((jac.beta.e1a.x / expected - 1.0).abs() < 4e-16, "{} {expected}", jac.beta.e1a.x);
 }
 
-/// No axis has a component of 0, and the first axis of a is nearest to the third: what is largest is subtracted last from 1, so that
-/// sums are rounded as products are.
+/// No axis has a component of 0, and the first axis of a is nearest to the third: the largest product is subtracted from 1 last,
+/// so that sums are rounded like products.
 #[test]
 fn near_90_degrees_the_arc_sine_is_that_of_the_components_as_they_are() {
     let a = turned(&[Vector3::z(), Vector3::x(), Vector3::y()], &rotation(0.3, -0.4, 0.5));
@@ -155,8 +155,8 @@ fn at_90_degrees_to_rounding_the_two_argument_form_is_right() {
     }
 }
 
-/// The rounding of an orthonormal triad, u = 2⁻⁵³, becomes an error of about u/(90° − β) in the arc sine; the
-/// two-argument form stays at u. No arithmetic can help the arc sine: the error is in the components.
+/// The rounding error of an orthonormal triad, u = 2⁻⁵³, becomes an error of about u/(90° − β) in the arc sine; the two-argument
+/// form stays at u. No arithmetic can improve the arc sine: the error is in the components.
 #[test]
 fn the_arc_sine_loses_half_of_the_digits_near_90_degrees() {
     let u = f64::EPSILON / 2.0;
@@ -182,7 +182,7 @@ fn accurate_and_documented_angles_have_the_same_derivative_along_rotations() {
     }
 }
 
-/// A typed error, or numbers throughout.
+/// The result is a typed error, or consists of numbers only.
 fn gives_no_nan(components: &[f64]) -> Result<(), TestCaseError> {
     let triads = Triads::from_slice(components).unwrap();
     if let Ok((angles, jac)) = value_and_jacobian::<CardanAngles>(&triads) {
@@ -214,7 +214,7 @@ proptest! {
     ) {
         let triads = at(alpha, beta, gamma);
         let found = accurate(&triads);
-        // Near gimbal lock α and γ feel the rounding of the triads as much as cos β is small.
+        // Near gimbal lock the effect of rounding errors of the triads on α and γ grows as 1/cos β.
         let conditioned = 1e-15 / beta.cos() + 1e-15;
         let apart = |a: f64, b: f64| ((a - b + PI).rem_euclid(2.0 * PI) - PI).abs();
         prop_assert!(apart(found.alpha, alpha) < conditioned, "{found:?}");
@@ -222,8 +222,8 @@ proptest! {
         prop_assert!(apart(found.gamma, gamma) < conditioned, "{found:?}");
     }
 
-    /// Somebody else's code: nalgebra's Euler angles (roll, pitch, yaw) of a matrix are those of R3(yaw) R2(pitch) R1(roll), so of the
-    /// transposed R they are our angles, reversed.
+    /// Independent code: nalgebra's Euler angles (roll, pitch, yaw) of a matrix are those of R3(yaw) R2(pitch) R1(roll), so for
+    /// the transposed R they are our angles, reversed.
     #[test]
     fn the_angles_are_those_of_nalgebra(alpha in -3.0..3.0, beta in -1.5..1.5, gamma in -3.0..3.0) {
         let triads = at(alpha, beta, gamma);
@@ -236,7 +236,7 @@ proptest! {
         }
     }
 
-    /// Components of any kind, zeros and extremes included: a typed error, or numbers throughout.
+    /// Components of any kind, including zeros and extremes: a typed error, or numbers only.
     #[test]
     fn no_input_gives_nan(components in proptest::collection::vec(
         prop_oneof![Just(0.0), Just(1.0), Just(-1.0), Just(0.5), -1.0..1.0, Just(1e-160), Just(-1e-200), Just(1e160)],
@@ -245,7 +245,7 @@ proptest! {
         gives_no_nan(&components)?;
     }
 
-    /// The stated bound, on points that the sampler's rotations do not reach.
+    /// The stated bound, at points that the sampler's rotations do not reach.
     #[test]
     fn the_stated_error_bound_holds_for_any_vectors(components in proptest::collection::vec(-1.0..1.0, 18)) {
         let triads = Triads::from_slice(&components).unwrap();

@@ -13,7 +13,7 @@ use proptest::prelude::*;
 
 type Point = Vector2<f64>;
 
-/// A curve to search in any way, and the formula's own answer.
+/// A curve that can be searched by any method, and the formula's own result.
 trait Curve: Formula {
     const ENDS: [f64; 2];
     fn slave(i: &Self::Inputs<f64>) -> Point;
@@ -22,7 +22,7 @@ trait Curve: Formula {
     fn separation<T: Component>(foot: &Self::Outputs<T>) -> T;
 }
 
-/// Names where a formula keeps its parts.
+/// Names the parts of a formula.
 macro_rules! curve {
     ($formula:ty, $inputs:ident { $($field:ident),* }, $point:ty, $place:ident, $foot:ident.$u:ident, $ends:expr) => {
         impl Curve for $formula {
@@ -62,10 +62,10 @@ curve!(
     [0.0, 1.0]
 );
 
-/// Points of the dense search.
+/// The number of points of the dense search.
 const DENSE: u32 = 1000;
 
-/// The least distance that a dense search finds: on a grid, then by thirds around each of its minima.
+/// The least distance found by a dense search: on a grid, then by trisection around each of its minima.
 fn dense_search<F: Curve>(i: &F::Inputs<f64>) -> f64 {
     let distance = |u: f64| (F::slave(i) - F::at(i, u)).norm();
     let [from, to] = F::ENDS;
@@ -102,13 +102,13 @@ fn is_global<F: Curve>(i: &F::Inputs<f64>) -> Result<(), TestCaseError> {
     prop_assert!((from..=to).contains(&u), "{u}");
     let found = (F::slave(i) - F::at(i, u)).norm();
     let size = i.components().iter().fold(0.0_f64, |size, x| size.max(x.abs()));
-    // Points of the curve are known to some ulps of the largest coordinate.
+    // Points of the curve are accurate to some ulps of the largest coordinate.
     let blur = 1e-14 * size;
     let least = dense_search::<F>(i);
     prop_assert!(found <= least + blur, "{found} at {u}, but {least} elsewhere");
     if from < u && u < to {
         let separation = F::separation(&foot).abs();
-        // The distance feels the rounding of u to second order, or to first order where it is as small as that.
+        // The rounding of u affects the distance to second order, or to first order if the distance is that small.
         prop_assert!((separation - found).abs() <= 10.0 * blur + 1e-7 * found, "{separation} against {found}");
     }
     Ok(())
@@ -118,7 +118,7 @@ fn point() -> impl Strategy<Value = Point> {
     [-10.0..10.0, -10.0..10.0].prop_map(Point::from)
 }
 
-/// Nodes of a parabola: any, nearly straight, and with the midside node at or near the quarter point.
+/// Nodes of a parabola: arbitrary, nearly straight, and with the midside node at or near the quarter point.
 fn parabola() -> impl Strategy<Value = [Point; 3]> {
     let sagitta = prop_oneof![Just(0.0), Just(1e-14), Just(1e-8), Just(1e-4), -2.0..2.0];
     let middle = prop_oneof![Just(0.5), Just(0.25), Just(0.75), 0.2..0.8];
@@ -133,7 +133,7 @@ fn fraction() -> impl Strategy<Value = f64> {
     prop_oneof![Just(0.2), Just(1e-8), Just(0.5_f64.next_down()), 0.001..0.499]
 }
 
-/// A slave point: anywhere, or across the middle of the curve at any height, so that it meets centres of curvature.
+/// A slave point: anywhere, or at any height above the middle of the curve, so that centres of curvature occur.
 fn slave(nodes: &[Point], anywhere: Point, height: Option<f64>) -> Point {
     let (first, middle, last) = (nodes[0], nodes[nodes.len() / 2], nodes[nodes.len() - 1]);
     let across = Point::new(first.y - last.y, last.x - first.x);
@@ -204,10 +204,10 @@ fn any_double() -> impl Strategy<Value = f64> {
     ]
 }
 
-/// The formula answers, with numbers or an error; in any case it returns.
+/// The formula returns numbers or an error; in any case it returns.
 fn answers<F: Curve>(components: &[f64]) -> Result<(), TestCaseError> {
     let Some(i) = F::Inputs::from_slice(components) else { return Err(TestCaseError::fail("components")) };
-    // Without the checks too: what a solver calls in its inner loop may be anything.
+    // Also without checks: a solver may call it with anything in its inner loop.
     let (out, gradients) = F::linearized(&i);
     let bits = |components: Vec<f64>| {
         components.into_iter().map(|x| if x.is_nan() { None } else { Some(x.to_bits()) }).collect::<Vec<_>>()
@@ -259,7 +259,7 @@ fn degenerate_curves_are_rejected_by_name() {
     assert_eq!(check::<ClosestSmoothedLinear>(&outside).unwrap_err().kind(), "OutOfRange");
 }
 
-/// On a tie the smaller coordinate, and at an end its own tangent.
+/// On a tie the smaller coordinate wins, and at an end the separation is from the curve's own tangent.
 #[test]
 fn ties_and_ends_follow_their_rules() {
     let bowl = |r, z| ParabolicSlave {
@@ -277,14 +277,14 @@ fn ties_and_ends_follow_their_rules() {
     assert!((ends.separation - 10.0 / 5.0_f64.sqrt()).abs() < 1e-15);
 }
 
-/// Beside a centre of curvature the coordinate is as ill-conditioned as the distance to it is small: its error is
-/// within what rounding of the inputs does to it, and that of the separation is a few ulps all the way.
+/// Close to a centre of curvature the condition of the coordinate is inversely proportional to the distance from it: its error is
+/// within the effect of rounding the inputs, and that of the separation is a few ulps all the way.
 #[test]
 fn near_a_centre_of_curvature_the_foot_is_as_good_as_its_condition() {
     let mut last = 0.0;
     for exponent in 1..=15 {
         let beside = 0.1_f64.powi(exponent);
-        // z = r² has its centre of curvature for r = 0 at z = 1/2; moved, so that no coordinate is 0.
+        // z = r² has its centre of curvature for r = 0 at z = 1/2; shifted, so that no coordinate is 0.
         let at = |r: f64, z: f64| Point::new(r + 3.0, z + 2.0);
         let i = ParabolicSlave { xs: at(beside, 0.5), x1: at(-1.0, 1.0), x2: at(0.0, 0.0), x3: at(1.0, 1.0) };
         let exact = exactly::<ClosestParabolic>(&i);

@@ -1,4 +1,4 @@
-//! Connectors as elements, as a solver calls them: what each refuses, and what it adds by rubbing.
+//! Connectors as elements, as called by a solver: the inputs that each rejects, and the effects of friction.
 
 use jointproof::catalog::{AnyElement, ELEMENTS};
 use jointproof::connector::align::{AlignElement, AlignStart};
@@ -53,7 +53,7 @@ fn golden(element: &dyn AnyElement) -> ElementFile {
     serde_json::from_str(&std::fs::read_to_string(&path).expect(&path)).expect(&path)
 }
 
-/// Each number that it computes from, where it is not a number: it is the one that is named.
+/// Each input in turn is NaN: the error names it.
 #[test]
 fn every_element_asks_for_all_that_it_computes_from() {
     let mut wrong = Vec::new();
@@ -81,7 +81,7 @@ fn every_element_asks_for_all_that_it_computes_from() {
     assert_eq!(wrong, [""; 0]);
 }
 
-/// What an element says against what it is given.
+/// The error of an element with these inputs.
 fn refusal<E: Element<M, DOFS>, const M: usize, const DOFS: usize>(
     element: &Parameters<E, f64, M, DOFS>,
     nodes: &E::Nodes<f64>,
@@ -91,13 +91,13 @@ fn refusal<E: Element<M, DOFS>, const M: usize, const DOFS: usize>(
     element.newton(nodes, &multipliers.into(), before).err().map(|error| error.to_string())
 }
 
-/// What of this is not refused in these words.
+/// The cases without the expected error.
 fn not_said<const N: usize>(cases: [(Option<String>, &str); N]) -> Vec<String> {
     let wrong = cases.into_iter().filter(|(found, expected)| found.as_deref() != Some(expected));
     wrong.map(|(found, expected)| format!("{found:?}, not {expected:?}")).collect()
 }
 
-/// What nobody reads may be anything.
+/// Inputs that are not read may be anything.
 #[test]
 fn without_friction_nobody_asks_for_what_it_needs() {
     const NAN: f64 = f64::NAN;
@@ -204,7 +204,7 @@ fn ujoint_rubs_about_both_axes_and_counts_whole_turns() {
         (SVector::from([3.0, -4.0, 12.0, 5.0]), UJointState { ur1: 0.5, ur3: 6.0, m1: 0.25, m3: -0.5 });
     let (smooth, held) = UJOINT.newton(&nodes, &multipliers, &before).unwrap();
     assert_eq!(held, before);
-    // It stands at 0.4, 0.2 and −0.6, and began at 0.1 and −0.2.
+    // The angles are 0.4, 0.2 and −0.6, and began at 0.1 and −0.2.
     let turns = [0.3, std::f64::consts::TAU - 0.4];
     let Nodes { e1a, e2a, e3a, e1b, e2b, e3b, .. } = nodes;
     let rows = angle::Rows::eval(&Triads { e1a, e2a, e3a, e1b, e2b, e3b });
@@ -231,7 +231,8 @@ fn ujoint_rubs_about_both_axes_and_counts_whole_turns() {
     }
 }
 
-/// Forces, and what follows the multipliers, have the moments of their arms; stick and slip differ in what follows them.
+/// Forces and their derivatives with respect to the multipliers have the moments of their arms; stick and slip differ in these
+/// derivatives.
 #[test]
 fn on_arms_forces_and_what_follows_multipliers_have_moments() {
     let arms = Arms { a: Vector3::new(0.5, -1.0, 2.0), b: Vector3::new(-3.0, 0.25, 1.0) };

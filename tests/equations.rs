@@ -1,6 +1,6 @@
-//! The printed equations are executed, and a wrong token in one is found.
+//! The printed equations are executed, and a wrong token in one is detected.
 //!
-//! That they agree with the code, value and Jacobian, is a claim of the audit.
+//! Their agreement with the code, in value and Jacobian, is a claim of the audit.
 
 mod mutations;
 
@@ -24,7 +24,7 @@ fn every_equation_can_be_executed() {
     }
 }
 
-/// Mutants that are the same function, and why.
+/// Mutants that are the same function, with the reason.
 const EQUIVALENT: &[(&str, &str, &str)] = &[
     ("slider.basis", "/ →  at 166", "|n×k| is 1 wherever n×i is 0, since n is a unit vector"),
     ("interaction.damping", "c_0 → h at 92", "the first case has taken −h ≤ η c0 already"),
@@ -36,13 +36,13 @@ const EQUIVALENT: &[(&str, &str, &str)] = &[
     ("slider.rows_2d", r"\mathbf{t} → \mathbf{g}_{um} at 69", "the row of m is t"),
 ];
 
-/// Every single-token mutant of every equation is refused, or gives another value at some point.
+/// Every single-token mutant of every equation is rejected, or gives a different value at some point.
 #[test]
 fn a_wrong_token_is_found() {
     let (mut tried, mut refused, mut equivalent, mut survivors) = (0, 0, 0, Vec::new());
     for formula in CATALOG {
         let spec = formula.spec();
-        // Most fall at the first point; what survives a few is tried at many.
+        // Most are detected at the first point; those that survive a few points are tried at many.
         let few = formula.trial(&Options { samples: 3, seed: 7 });
         let many = LazyCell::new(|| formula.trial(&Options { samples: 200, seed: 7 }));
         for mutant in mutants(spec.latex) {
@@ -117,7 +117,7 @@ fn what_cannot_be_read_is_named_with_its_place() {
     assert!(wrong.is_empty(), "{wrong:#?}");
 }
 
-/// What an entry shows below its equation is the same function, and its derivative.
+/// The forms that an entry shows below its equation are the same function, and its derivative.
 #[test]
 fn what_is_made_from_an_equation_is_its_formula() {
     let options = Options { samples: 5, seed: 3 };
@@ -174,7 +174,7 @@ fn a_wrong_symbol_fails_the_audit_and_nothing_else_does() {
     assert!(reason.ends_with("f_3 is nobody's symbol"), "{reason}");
 }
 
-/// What prose claims is compared with the code, not with the printed equation.
+/// The claims of prose are compared with the code, not with the printed equation.
 #[test]
 fn claims_of_prose_are_held_or_not() {
     let formula = find("coulomb.return_map").unwrap();

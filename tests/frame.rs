@@ -1,4 +1,5 @@
-//! Triads: what is let in is orthonormal within the tolerance, whichever vector or pair of vectors is off, and to either side.
+//! Triads: an accepted triad is orthonormal within the tolerance, whichever vector or pair of vectors deviates, and in either
+//! direction.
 
 use jointproof::element::frame::{PlaneTriad, TOLERANCE, Triad};
 use nalgebra::{Vector2, Vector3};
@@ -30,7 +31,7 @@ fn every_length_is_held_to_the_tolerance() {
     }
 }
 
-/// What is said of axes of which one leans by so much towards another.
+/// The error for axes of which one is tilted towards another by this amount.
 fn leaned(leaning: usize, other: usize, by: f64) -> Option<String> {
     let mut axes = axes();
     let to = axes[other];
@@ -101,7 +102,7 @@ fn a_triad_gives_back_its_vectors() {
         [Vector3::new(0.6, 0.8, 0.0), Vector3::new(-0.8, 0.6, 0.0), Vector3::z()]
     );
     assert_eq!([plane.e1(), plane.e2()], [Vector2::new(0.6, 0.8), Vector2::new(-0.8, 0.6)]);
-    // At any angle, whichever way the sine and the cosine are rounded.
+    // At any angle, however the sine and the cosine are rounded.
     for degrees in 0..360 {
         let (s, c) = f64::from(degrees).to_radians().sin_cos();
         let (e1, e2) = (Vector2::new(c, s), Vector2::new(-s, c));

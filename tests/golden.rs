@@ -1,4 +1,4 @@
-//! The committed golden files are what the code says, and are fit to test other code with.
+//! The committed golden files agree with the code, and are suitable for testing other code.
 
 use crate::common;
 use jointproof::catalog::{AnyFormula, CATALOG, find};
@@ -9,7 +9,7 @@ use std::collections::HashSet;
 use std::path::PathBuf;
 use std::sync::LazyLock;
 
-/// Every formula with its golden file as it stands in the repository.
+/// Every formula with its committed golden file.
 static FILES: LazyLock<Vec<(&dyn AnyFormula, File)>> =
     LazyLock::new(|| CATALOG.iter().map(|formula| (*formula, common::golden(*formula))).collect());
 
@@ -32,12 +32,12 @@ fn files_are_what_the_code_says_byte_for_byte() {
             let shown: Vec<_> = differences.iter().take(5).map(ToString::to_string).collect();
             panic!("{}: {shown:#?}; to accept: cargo xtask golden", formula.spec().id);
         }
-        // Nothing is lost on the way into a file and back.
+        // Nothing is lost when a file is written and read back.
         assert!(now == *file, "{}: {:?}", file.formula, now.differences(file));
     });
 }
 
-/// Which is known without computing them: quick enough to be asked for always.
+/// This is known without computing them, quickly enough to be checked always.
 #[test]
 fn files_have_the_cases_that_their_formulas_state_now() {
     for (formula, file) in FILES.iter() {
@@ -103,7 +103,7 @@ fn only_invalid_cases_have_errors_and_only_they_lack_results() {
 fn no_golden_number_is_infinite_or_nan() {
     for (_, file) in FILES.iter() {
         for case in file.cases.iter().filter(|case| case.error.is_none()) {
-            // A scale may lie beyond all doubles.
+            // A scale may be beyond all doubles.
             let text = serde_json::to_string(&(&case.inputs, &case.out, &case.jac)).unwrap();
             assert!(!text.contains("NaN") && !text.contains("Infinity"), "{} {}", file.formula, case.id);
         }

@@ -1,4 +1,4 @@
-//! What the layout of golden files promises: scales by which a port can be judged, matrices as rows, a version.
+//! The guarantees of the layout of golden files: scales by which a port can be judged, matrices as rows, a version.
 
 use crate::common;
 use jointproof::catalog::{AnyFormula, CATALOG};
@@ -24,7 +24,7 @@ fn all(named: &Map<String, Value>) -> Vec<f64> {
     named.values().flat_map(leaves).collect()
 }
 
-/// By output, output component, input and input component, as golden files nest it.
+/// The numbers by output, output component, input and input component, as golden files nest them.
 fn as_nested(formula: &dyn AnyFormula, rows: &[f64]) -> Vec<f64> {
     let columns = formula.inputs().iter().map(Field::len).sum();
     let mut rows = rows.chunks(columns);
@@ -40,7 +40,7 @@ fn as_nested(formula: &dyn AnyFormula, rows: &[f64]) -> Vec<f64> {
     nested
 }
 
-/// As a reader computes it. The golden number is rounded, too, by which it may grow by 1.
+/// η as a reader computes it. The golden number is rounded, too, which may increase η by 1.
 fn eta(computed: f64, golden: f64, scale: f64) -> f64 {
     2.0_f64.powi(53) * ((computed - golden).abs() / (scale + f64::MIN_POSITIVE))
 }

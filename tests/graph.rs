@@ -1,4 +1,4 @@
-//! What a formula does, written down, does what the formula does.
+//! The recorded graph of a formula computes the same as the formula.
 
 mod by_rows;
 
@@ -49,7 +49,7 @@ fn every_formula_is_recorded_and_gives_its_own_bits() {
     });
 }
 
-/// The line of the table for a formula, from what was recorded of it.
+/// The line of the table for a formula, from its graph.
 fn line(formula: &dyn AnyFormula, graph: &Graph) -> String {
     let is_zero = |entry: usize| graph.constant(graph.jacobian[entry]).is_some_and(|x| x.to_bits() == 0);
     let mut digits = vec![0_u8; graph.jacobian.len().div_ceil(4)];
@@ -78,7 +78,7 @@ fn batches_know_the_structure_of_every_formula() {
     }
 }
 
-/// Both sides of a comparison are there, whatever was reached: a pressure's, and those of a length that is 0 or large.
+/// Both sides of a comparison are recorded, whichever is taken: those of a pressure, and those of a length that is 0 or large.
 #[test]
 fn a_graph_has_both_sides() {
     let graph = |id| jointproof::catalog::find(id).unwrap().graph().unwrap();
@@ -92,7 +92,7 @@ fn a_graph_has_both_sides() {
     assert_eq!(force.run(&[3.0 * large, 4.0 * large]), (vec![5.0 * large], vec![0.6, 0.8]));
 }
 
-/// What a planted formula computes from two forces.
+/// A planted formula of two forces.
 trait Planted: Copy + Send + Sync + 'static {
     fn fc<D: Scalar>(i: &CrossForces<D>) -> D;
     fn validate<D: Scalar>(_: &CrossForces<D>) -> Result<(), Error> {
@@ -100,7 +100,7 @@ trait Planted: Copy + Send + Sync + 'static {
     }
 }
 
-/// The formula of it; its derivative is not asked for.
+/// The formula of it; its derivative is not used.
 #[derive(Clone, Copy, Debug)]
 struct Of<P>(P);
 
@@ -122,7 +122,8 @@ impl<P: Planted> Formula for Of<P> {
     }
 }
 
-/// What is told of a length that is NaN: by what is made of it, by what an answer that is then no chooses, or by nothing.
+/// The ways in which a NaN length shows: in a result computed from it, in a result chosen by a comparison that is then false, or
+/// in none.
 macro_rules! by_a_length {
     ($($name:ident: |$i:ident, $length:ident| $fc:expr;)*) => {
         $(#[derive(Clone, Copy, Debug)]
@@ -144,7 +145,7 @@ by_a_length! {
     HidesIt: |i, length| if length < 1.0 { i.f2 } else { i.f3 };
 }
 
-/// A formula that refuses by a length, of which no result tells whether it is NaN.
+/// A formula that rejects inputs by a length, while no result shows whether the length is NaN.
 #[derive(Clone, Copy, Debug)]
 struct RefusesByIt;
 
@@ -168,7 +169,7 @@ fn rows_are_together_only_where_every_extreme_one_is_told() {
     assert_eq!([words::<ChoosesItWhereSo>(), words::<HidesIt>(), words::<RefusesByIt>()], ["\n"; 3]);
 }
 
-/// A formula that looks at a double where it should compare scalars.
+/// A formula that uses a double where it should compare scalars.
 #[derive(Clone, Copy, Debug)]
 struct LooksAtTheValue;
 
@@ -178,7 +179,7 @@ impl Planted for LooksAtTheValue {
     }
 }
 
-/// A formula that looks at a double where it says that inputs are valid, and refuses others.
+/// A formula that uses a double in its validation, and rejects other inputs.
 #[derive(Clone, Copy, Debug)]
 struct LooksWhetherValid;
 
@@ -193,7 +194,7 @@ impl Planted for LooksWhetherValid {
     }
 }
 
-/// A formula that calls a function which the graph does not know.
+/// A formula that calls a function unknown to the graph.
 #[derive(Clone, Copy, Debug)]
 struct CallsTheUnknown;
 
@@ -203,7 +204,7 @@ impl Planted for CallsTheUnknown {
     }
 }
 
-/// Formulas that ask for a sign, which is a comparison that nobody sees.
+/// Formulas that use the sign of a number, a comparison that is not recorded.
 #[derive(Clone, Copy, Debug)]
 struct AsksWhetherPositive;
 
@@ -222,7 +223,7 @@ impl Planted for AsksWhetherNegative {
     }
 }
 
-/// A formula with seventeen branches, one independent of the other.
+/// A formula with seventeen independent branches.
 #[derive(Clone, Copy, Debug)]
 struct HasManyWays;
 
@@ -232,7 +233,7 @@ impl Planted for HasManyWays {
     }
 }
 
-/// A formula that makes numbers of whole ones.
+/// A formula that creates numbers from integers.
 #[derive(Clone, Copy, Debug)]
 struct MakesNumbers;
 
@@ -259,7 +260,7 @@ fn what_is_not_recorded_says_why() {
     assert_eq!(record::<Of<HasManyWays>>().unwrap_err(), NotRecorded::Ways(65_536));
 }
 
-/// What is refused beyond the domains of single inputs has a position among the reasons; values in these are not known.
+/// Rejections beyond the domains of single inputs are numbered by reason; the values in these are not known.
 #[test]
 fn refusals_are_recorded() {
     let graph = jointproof::catalog::find("slider.line").unwrap().graph().unwrap();
@@ -269,7 +270,7 @@ fn refusals_are_recorded() {
     assert!(jointproof::catalog::find("slot.friction").unwrap().graph().unwrap().refusal.is_none());
 }
 
-/// A formula whose sums are taken exactly where any of two is lost to rounding, as those of UJOINT are.
+/// A formula whose sums are computed exactly if either is lost to rounding, as those of UJOINT are.
 #[derive(Clone, Copy, Debug)]
 struct SettlesWhatIsLost;
 
@@ -282,12 +283,12 @@ impl Planted for SettlesWhatIsLost {
     }
 }
 
-/// So many operations are done whatever the conditions say.
+/// The number of operations that are executed whatever the conditions are.
 fn always(statements: &[Statement]) -> usize {
     statements.iter().filter(|statement| matches!(statement, Statement::Compute(_))).count()
 }
 
-/// What several choices share is not done where none of them needs it.
+/// Work shared by several choices is not done if none of them needs it.
 #[test]
 fn shared_work_waits_for_its_condition() {
     let graph = record::<Of<SettlesWhatIsLost>>().unwrap();
@@ -299,7 +300,7 @@ fn shared_work_waits_for_its_condition() {
     }
 }
 
-/// The same, where the work is needed in any case.
+/// The same, but the work is needed in any case.
 #[derive(Clone, Copy, Debug)]
 struct SettlesAndSums;
 
@@ -317,7 +318,7 @@ fn work_that_is_needed_elsewhere_joins_no_choices() {
     assert!(!has_joined(&record::<Of<SettlesAndSums>>().unwrap()));
 }
 
-/// A result that is computed where one of two conditions fails belongs to one side.
+/// A result that is computed if one of two conditions fails belongs to one side.
 #[derive(Clone, Copy, Debug)]
 struct FastWhereBothHold;
 
@@ -330,7 +331,7 @@ impl Planted for FastWhereBothHold {
     }
 }
 
-/// A formula that asks what follows from what it knows.
+/// A formula with comparisons whose outcomes follow from earlier ones.
 #[derive(Clone, Copy, Debug)]
 struct AsksAgain;
 
@@ -375,7 +376,7 @@ fn the_gradient_of_a_value_is_its_row_of_the_jacobian() {
     }
 }
 
-/// A formula that asks for the order of two numbers.
+/// A formula that uses the order of two numbers.
 #[derive(Clone, Copy, Debug)]
 struct AsksForTheOrder;
 

@@ -1,5 +1,5 @@
-//! The guarded functions: value, first and second derivative on the hard cases, over `f64` and 237 bits; and what
-//! num-dual does without the guard, so that we learn when it is mended.
+//! The guarded functions: value, first and second derivative for the hard cases, over `f64` and 237 bits; and the results of
+//! num-dual without the guard, so that we notice when it is fixed.
 
 use jointproof::number::scalar::{Scalar, abs, asin, atan2, direction, norm, sign};
 use jointproof::{Octuple, Single};
@@ -186,7 +186,7 @@ fn every_second_order_type_agrees() {
     assert_eq!(vector.eps.unwrap_generic(nalgebra::Const::<2>, nalgebra::U1), nalgebra::vector![0.6, 0.8]);
 }
 
-/// What num-dual 0.15 gives without the guards. A failure here means upstream has mended it: then drop the guard.
+/// The results of num-dual 0.15 without the guards. A failure here means that upstream has fixed it: then remove the guard.
 mod upstream {
     use super::*;
     use num_traits::Signed;

@@ -18,7 +18,7 @@ fn flat(interaction: Interaction) -> Contact {
     Contact::new(line, ElementSet::new("ring", [IslElement::isl21a(10, [3, 4]).unwrap()]).unwrap(), interaction)
 }
 
-/// The element at the height z, its first node at the radius r.
+/// The element at the height z, with its first node at the radius r.
 fn ring(r: f64, z: f64) -> Nodes {
     Nodes::new([(1, [1.0, 0.0]), (2, [5.0, 0.0]), (3, [r, z]), (4, [r + 1.0, z])]).unwrap()
 }
@@ -78,7 +78,7 @@ fn an_interaction_says_what_presses_and_rubs() {
     let [hard, soft] = [Interaction::hard(0.125), Interaction::exponential(0.5, 20.0)].map(|law| rubbing(law.unwrap()));
     let linear = rubbing(Interaction::linear(64.0).unwrap());
     let damped = linear.with_damping(16.0, 1.0, 0.5).unwrap();
-    // The overclosure, the rate of closing; the pressures, with 7 as the multiplier.
+    // The overclosure, the closing rate; the pressures, with 7 as the multiplier.
     for (h, v, expected) in [
         (0.25, 0.5, [7.0, 16.0, 24.0]),
         (0.25, -2.0, [7.0, 16.0, -16.0]),
@@ -89,7 +89,7 @@ fn an_interaction_says_what_presses_and_rubs() {
         assert_eq!([hard, linear, damped].map(|law| law.pressure(h, v, 7.0)), expected, "{h} {v}");
     }
     assert_eq!([-0.5, 0.0].map(|h| soft.pressure(h, 0.0, 7.0)), [0.0, 20.0]);
-    // It sticks, slips to either side, and what pulls or does not rub transmits nothing.
+    // It sticks, slips in either direction, and transmits nothing if the pressure is negative or there is no friction.
     for (s12, slip, p, expected) in [
         (0.5, 0.03125, 16.0, 2.5),
         (0.5, 0.25, 16.0, 4.0),
@@ -113,7 +113,7 @@ fn areas_add_up_at_shared_nodes() {
     assert_eq!(areas, [PI, 2.0 * PI + 4.0 * PI, 8.0 * PI]);
 }
 
-/// The areas of nodes have the radius of the node; the figures are those of the book.
+/// The areas of nodes use the radius of the node; the figures are those of the book.
 #[test]
 fn areas_of_nodes_against_their_integrals() {
     let errors = |nodes: &[[f64; 2]]| -> Vec<f64> {
@@ -187,7 +187,7 @@ fn the_laws_are_the_formulas() {
 fn friction_sticks_slips_and_returns() {
     let contact = flat(Interaction::linear(100.0).unwrap().with_friction(0.5, 40.0).unwrap());
     let mut state = contact.start(ring(2.0, -0.25)).unwrap();
-    // p = 25, so that it slips from S12 = 12.5 on; it sticks on the way back until that is turned around.
+    // p = 25, so that it slips at S12 = 12.5; on the way back it sticks until the shear stress is reversed.
     let history = [(2.25, 0.25, 10.0), (2.5, 0.5, 12.5), (2.75, 0.75, 12.5), (2.5, 0.5, 2.5), (2.0, 0.0, -12.5)];
     for (r, e12, s12) in history {
         state = contact.advance(&state, ring(r, -0.25), &second()).unwrap();
@@ -196,7 +196,7 @@ fn friction_sticks_slips_and_returns() {
         // Friction pushes back: along −r while S12 > 0.
         assert_eq!(node.force(), Vector2::new(-s12, 25.0) * node.area);
     }
-    // Lifted off, nothing is left of the shear stress; the slip stays.
+    // After lift-off the shear stress is 0; the slip remains.
     state = contact.advance(&state, ring(2.5, 0.25), &second()).unwrap();
     let node = state.node(3).unwrap();
     assert_eq!((node.e12, node.s11, node.s12), (0.5, 0.0, 0.0));
@@ -210,7 +210,7 @@ fn the_slip_is_the_way_along_the_line_and_a_common_motion_is_none() {
     let state = contact.advance(&start, Nodes::new(places).unwrap(), &second()).unwrap();
     let node = state.node(3).unwrap();
     let Place::Segment { g, .. } = node.closest.place else { panic!() };
-    // It was at g = -0.5. The line is now stretched and turned; the formula says what the way from there is.
+    // It was at g = -0.5. The line is now stretched and rotated; the formula gives the distance from there.
     let (x1, x2) = (Vector2::new(1.5, 0.0), Vector2::new(5.25, 0.5));
     let zero = Vector2::zeros();
     let motion = LinearMotion { x1, x2, g, dxs: (x2 - x1) * (0.5 * (g + 0.5)), dx1: zero, dx2: zero };
@@ -221,7 +221,7 @@ fn the_slip_is_the_way_along_the_line_and_a_common_motion_is_none() {
     assert_eq!((state.node(3).unwrap().e12, state.node(3).unwrap().s12), (0.0, 0.0));
 }
 
-/// A sharp corner of 90° at (2, 2), node 2, on a line that comes along the axis of r and turns to the left or right; beside it
+/// A sharp corner of 90° at (2, 2), node 2, on a line that comes along the axis of r and turns to the left or right; next to it
 /// the element 4, 5, of which node 4 is moved.
 fn around(turn: f64, increments: u32, way: impl Fn(f64) -> [f64; 2]) -> f64 {
     let line = SlideLine::new(Interpolation::Linear, [1, 2, 3]).unwrap();
@@ -249,7 +249,7 @@ fn the_slip_around_a_sharp_corner_does_not_depend_on_the_increments() {
     }
 }
 
-/// What counts is where the closest point is: a node that circles a corner at a distance does not move along the line.
+/// The closest point determines the slip: a node that circles a corner at a distance does not move along the line.
 #[test]
 fn a_node_that_circles_a_corner_does_not_slip() {
     for increments in [1, 3, 9] {
@@ -262,17 +262,17 @@ fn a_node_that_circles_a_corner_does_not_slip() {
 fn stretch_and_rotation_of_the_line_are_no_slip() {
     let contact = flat(Interaction::default());
     let start = contact.start(ring(2.0, 0.25)).unwrap();
-    // Node 3 stays with the material a quarter along the line, which is stretched by half.
+    // Node 3 stays at the material point a quarter along the line, which is stretched by half.
     let stretched = [(1, [1.0, 0.0]), (2, [7.0, 0.0]), (3, [2.5, 0.25]), (4, [3.0, 0.25])];
     let state = contact.advance(&start, Nodes::new(stretched).unwrap(), &second()).unwrap();
     assert_eq!(state.node(3).unwrap().e12, 0.0);
-    // All turned together by 90° about (3, 0), with the node above the line.
+    // Everything is rotated together by 90° about (3, 0), with the node above the line.
     let turned = [(1, [3.0, -2.0]), (2, [3.0, 2.0]), (3, [2.75, -1.0]), (4, [2.75, 0.0])];
     let state = contact.advance(&start, Nodes::new(turned).unwrap(), &second()).unwrap();
     assert_eq!([3, 4].map(|node| state.node(node).unwrap().e12), [0.0, 0.0]);
 }
 
-/// On curves the way is that of a fine polyline, in one increment as in many.
+/// On curves the distance is that of a fine polyline, whether in one increment or in many.
 #[test]
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a number from 0 to 3")]
 fn the_slip_on_curves_is_the_length_of_the_way() {
@@ -307,7 +307,7 @@ fn the_slip_on_curves_is_the_length_of_the_way() {
             let part = |step: i32| f64::from(step) / f64::from(count);
             (0..count).map(|step| (foot(part(step + 1)) - foot(part(step))).norm()).sum()
         };
-        // Chords are short by the square of their length; Richardson's step takes that away.
+        // Chords are too short by the square of their length; Richardson extrapolation eliminates this.
         let [coarse, fine] = [chords(2000), chords(4000)];
         let length = fine + (fine - coarse) / 3.0;
         assert!((whole - length).abs() < 1e-7, "{interpolation:?} {smoothing}: {whole} {length}");
@@ -325,7 +325,7 @@ fn past_the_end_of_the_line_nothing_is_transmitted() {
     assert_eq!(outside.e11, -0.25);
 }
 
-/// The way goes on along the tangent past either end, with its sign.
+/// The distance continues along the tangent past either end, with its sign.
 #[test]
 fn past_the_ends_slip_goes_on() {
     let line = SlideLine::new(Interpolation::Linear, [1, 2]).unwrap();
@@ -380,7 +380,7 @@ proptest! {
         let forces = state.forces();
         let size = 1.0 + forces.values().map(Vector2::norm).sum::<f64>();
         prop_assert!(forces.values().sum::<Vector2<f64>>().norm() < 1e-14 * size);
-        // Friction acts at the slave node and, E11 away from it, on the line. That leaves a couple, and nothing else does.
+        // Friction acts at the slave node and, at the distance E11 from it, on the line. That leaves a couple, and nothing else.
         let couple: f64 = state.nodes().values().map(|node| node.area * node.s12 * node.e11).sum();
         prop_assert!((moments(&forces, state.places()) - couple).abs() < 1e-12 * size, "{state:?}");
     }
@@ -447,7 +447,7 @@ fn the_torque_is_that_of_the_pressures() {
     assert!((contact.torque(&exact).unwrap() / expected - 1.0).to_f64().abs() < 1e-70);
 }
 
-/// Where a node moves away faster than the law presses, damping pulls; what pulls transmits no torque.
+/// If a node moves away fast enough, damping makes the pressure negative; a negative pressure transmits no torque.
 #[test]
 fn a_node_that_damping_pulls_has_no_part_in_the_torque() {
     let contact = flat(Interaction::linear(100.0).unwrap().with_damping(50.0, 10.0, 0.5).unwrap());

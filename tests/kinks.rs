@@ -1,5 +1,5 @@
-//! Kinks are found: a planted formula fails without its register and passes with it, and a register of what does not
-//! happen fails too.
+//! Kinks are detected: a planted formula fails if its kink is not registered and passes if it is, and a registered kink that does
+//! not exist fails too.
 
 use jointproof::catalog::{CATALOG, KinkEntry};
 use jointproof::formula::proof::{Case, Convention, Kink, Proved};
@@ -12,18 +12,18 @@ use jointproof::{Error, fields};
 fields! { struct Inputs<T> { f2: T = F2, f3: T = F3 } }
 fields! { struct Outputs<T> { fc: T = FC } }
 
-/// A value of two numbers, its gradient, and where it has none.
+/// A value of two numbers, its gradient, and its kinks.
 trait Plant: Copy + Send + Sync + 'static {
     fn value<D: Scalar>(f2: D, f3: D) -> D;
     fn gradient<D: Scalar>(f2: D, f3: D) -> [D; 2];
     fn kinks<const REGISTERED: bool>() -> Vec<Kink<Planted<Self, REGISTERED>>>;
-    /// Inputs that are refused.
+    /// Rejected inputs.
     fn is_refused<D: Scalar>(_: &Inputs<D>) -> bool {
         false
     }
 }
 
-/// The formula with its register, or without.
+/// The formula with its kinks registered, or without.
 #[derive(Clone, Copy)]
 struct Planted<P, const REGISTERED: bool>(P);
 
@@ -62,7 +62,7 @@ fn audited<P: Plant, const REGISTERED: bool>() -> Audit {
     audit::<Planted<P, REGISTERED>>(&Options { samples: 20, seed: 3 })
 }
 
-/// Without the register the audit fails at this place, and gives these slopes; with it, it passes.
+/// Without the registration the audit fails at this point, with different slopes found and expected; with it, it passes.
 fn assert_demanded<P: Plant>(place: &str, is_there: fn(f64, f64) -> bool) {
     let without = audited::<P, false>();
     let worst = without.kinks.worst.as_ref().expect("something was compared");
@@ -130,7 +130,7 @@ impl Plant for Ramp {
     }
 }
 
-/// A slope that becomes steeper by a thousandth part beyond f2 f3 = 3/2.
+/// A slope that becomes steeper by a thousandth beyond f2 f3 = 3/2.
 #[derive(Clone, Copy)]
 struct Threshold;
 impl Threshold {
@@ -158,7 +158,7 @@ impl Plant for Threshold {
     }
 }
 
-/// The angle of the point (f3, f2), which jumps by a full turn; the origin is refused.
+/// The angle of the point (f3, f2), which jumps by a full turn; the origin is rejected.
 #[derive(Clone, Copy)]
 struct Angle;
 impl Plant for Angle {
@@ -184,7 +184,7 @@ impl Plant for Angle {
     }
 }
 
-/// f2³/(f2² + f3²): along every line through the origin it is straight, and yet it has no derivative there.
+/// f2³/(f2² + f3²): it is linear along every line through the origin, and yet it has no derivative there.
 #[derive(Clone, Copy)]
 struct Lines;
 impl Plant for Lines {
@@ -205,7 +205,7 @@ impl Plant for Lines {
     }
 }
 
-/// 3 f2 + f3, in two ways that a comparison chooses; what is registered does not happen.
+/// 3 f2 + f3, computed in two ways selected by a comparison; the registered kink does not exist.
 #[derive(Clone, Copy)]
 struct Technical;
 impl Plant for Technical {
@@ -322,11 +322,11 @@ impl Plant for Smooth {
 #[test]
 fn that_there_is_no_place_to_look_at_is_one_check() {
     let audit = audited::<Smooth, false>();
-    // Beside it both derivatives at the case.
+    // In addition, both derivatives at the case.
     assert_eq!((audit.kinks.checks, audit.kinks.failures), (1 + 2, 0));
 }
 
-/// max(f2, 0) with a register that prints a whole strip about its kink: all that is farther away is told rightly.
+/// max(f2, 0) with a printed condition that holds in a whole strip around its kink, and is correct everywhere else.
 #[derive(Clone, Copy)]
 struct Strip;
 impl Plant for Strip {
@@ -360,8 +360,8 @@ fn every_printed_condition_of_the_catalog_is_that_of_its_register() {
     }
 }
 
-/// The derivatives to either side of a kink, which the catalog finds by differences, are those that the closed form has there.
-/// Where a value jumps or rises without bound there are none; that only a switch does.
+/// The derivatives on either side of a kink, which the catalog finds by differences, are those of the closed form there. If a
+/// value jumps or grows without bound there are none; this occurs only at a switch.
 #[test]
 fn the_derivatives_beside_every_kink_are_those_of_the_closed_form() {
     for formula in CATALOG {

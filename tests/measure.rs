@@ -1,4 +1,4 @@
-//! Errors of ways that are wrong by a known amount, at random and at hard points, and what differences reach.
+//! Errors of methods that are wrong by a known amount, at random and at hard points, and the accuracy of differences.
 
 use jointproof::fields;
 use jointproof::formula::proof::{Case, Kink, Proved, Way};
@@ -32,12 +32,12 @@ impl Formula for Cube {
     }
 }
 
-/// A part that is noticed.
+/// A relative error that is large enough to be noticed.
 const OFF: f64 = 1e-4;
 /// The component of the only hard case.
 const HARD: f64 = 1e7;
 
-/// The value and its derivative, both too large by a part where a number is above a limit.
+/// The value and its derivative, both too large by the relative error `OFF` if a number is above a limit.
 fn off<D: Scalar>(i: &Inputs<D>, above: f64) -> Outputs<D> {
     let Outputs { y } = Cube::eval(i);
     Outputs { y: if i.a * i.a > above * above { y * (1.0 + OFF) } else { y } }
@@ -86,7 +86,7 @@ fn assert_near(found: f64, expected: f64, context: &str) {
 
 #[test]
 fn points_are_counted_and_on_a_switch_there_is_no_derivative() {
-    // The case flagged hard, and five points on the kink and beside it.
+    // The case flagged hard, and five points on and next to the kink.
     assert_eq!((MEASURED.random_points, MEASURED.hard_points, MEASURED.inputs, MEASURED.outputs), (40, 6, 2, 1));
     let [Some(value), Some(jacobian)] = errors_of("closed") else { panic!("both are measured") };
     assert_eq!([value, jacobian].map(|errors| errors.map(|errors| errors.points)), [[40, 6], [40, 5]]);
@@ -109,7 +109,7 @@ fn what_is_right_has_errors_of_a_few_roundings() {
     }
 }
 
-/// η is relative to what a rounding of the inputs does: a³ b changes by 4 + 1 parts, its derivatives by 3 + 1.
+/// η is relative to the effect of rounding the inputs: a³ b changes by 4 + 1 parts, its derivatives by 3 + 1.
 #[test]
 fn a_way_that_is_off_by_a_part_is_shown_as_such() {
     let unit = OFF / (f64::EPSILON / 2.0);
@@ -126,7 +126,7 @@ fn a_way_that_is_off_by_a_part_is_shown_as_such() {
     assert_eq!((alone, none), (Some(value), None), "a way that has no derivative of its own is not given another's");
 }
 
-/// What is wrong at a single hard point is seen in the largest error there, and not at random points.
+/// An error at a single hard point shows in the largest error there, and not at random points.
 #[test]
 fn hard_points_are_measured_apart() {
     let unit = OFF / (f64::EPSILON / 2.0);
@@ -152,7 +152,7 @@ fn differences_have_their_best_step() {
         let (best, error) = curve.best().unwrap();
         let least = curve.errors.iter().copied().fold(f64::INFINITY, f64::min);
         assert_eq!((error, curve.errors.len()), (least, 29));
-        // A polynomial of third degree has no truncation in the fourth order.
+        // For a polynomial of third degree the fourth-order scheme has no truncation error.
         assert!(between.contains(&best) || curve.scheme == Scheme::Fourth, "{:?}: {best:?}", curve.scheme);
         let way = MEASURED.way(curve.scheme.id()).unwrap();
         assert_eq!(way.step, Some(best));

@@ -11,7 +11,7 @@ use proptest::prelude::*;
 const SPECIAL: [f64; 15] =
     [0.0, -0.0, 0.5, -0.5, 1.0, -1.0, 1.5, -1.5, 2.0, -2.0, 3.0, -3.0, f64::INFINITY, f64::NEG_INFINITY, f64::NAN];
 
-/// Equal as special values are: NaN with NaN, infinities and zeros with their signs; other numbers to 1e-13.
+/// Equal as special values are: NaN equals NaN, infinities and zeros must have equal signs; other numbers agree to 1e-13.
 fn alike(wide: f64, double: f64) -> bool {
     wide.is_nan() && double.is_nan()
         || wide.to_bits() == double.to_bits()
@@ -91,7 +91,7 @@ fn spherical_bessel_functions_at_zero_and_infinity() {
     assert!(nan.sph_j0().is_nan() && nan.sph_j1().is_nan() && nan.sph_j2().is_nan());
 }
 
-/// Numbers all over the range of Octuple, its ends included, of both signs.
+/// Numbers of both signs over the whole range of Octuple, including its ends.
 fn all_over_the_range() -> Vec<Octuple> {
     let two = Octuple::from(2.0);
     let smallest = two.powi(-262_378);
@@ -115,7 +115,7 @@ fn all_over_the_range() -> Vec<Octuple> {
     positive.iter().flat_map(|x| [*x, -x]).collect()
 }
 
-/// Debug assertions are on in tests, so this also says that f256 never computes something it does not expect.
+/// Debug assertions are enabled in tests, so this also checks that f256 never computes something it does not expect.
 #[test]
 fn nothing_panics() {
     let points = all_over_the_range();
@@ -213,8 +213,8 @@ fn assert_same(wide: Octuple, double: f64) {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(2000))]
 
-    /// Rounding to 237 bits and then to 53 is the same as rounding once, for one operation on f64
-    /// (Figueroa 1995: twice the bits and two more suffice).
+    /// Rounding to 237 bits and then to 53 gives the same result as rounding once, for one operation on f64 (Figueroa 1995: twice
+    /// the bits plus two suffice).
     #[test]
     fn one_operation_rounded_to_f64_is_that_of_the_hardware(x in any_f64(), y in any_f64()) {
         let (a, b) = (Octuple::from(x), Octuple::from(y));

@@ -1,7 +1,7 @@
-//! Octuple against exact values, against the f64 hardware, and under num-dual.
+//! Octuple compared with exact values, with the f64 hardware, and under num-dual.
 //!
-//! The exact values come from mpmath by way of `tests/data/octuple_reference.py`, which writes
-//! `tests/data/octuple_reference.csv` and says what its columns are. To measure on more points:
+//! The exact values are computed by mpmath in `tests/data/octuple_reference.py`, which writes `tests/data/octuple_reference.csv`
+//! and describes its columns. To measure at more points:
 //!
 //! ```text
 //! python3 tests/data/octuple_reference.py --random 500 --seed 7 > /tmp/more.csv
@@ -14,7 +14,7 @@ use jointproof::Octuple;
 use num_dual::DualNum;
 use num_traits::{Signed, Zero};
 
-/// Bounds that need a name: correct rounding, and next to it.
+/// Names for two bounds: correct rounding, and nearly correct rounding.
 const HALF: f64 = 0.5;
 const NEARLY_HALF: f64 = 0.51;
 
@@ -83,7 +83,7 @@ struct Row<'a> {
 }
 
 impl Row<'_> {
-    /// How far `result` is from the exact value, in ulps of the value. The difference of neighbours is exact.
+    /// The error of `result` in ulps of the exact value. The difference of neighbours is exact.
     fn error(&self, result: Octuple) -> f64 {
         let value = octuple(self.value);
         let mut unit = value.ulp();
@@ -103,7 +103,7 @@ fn rows(text: &str) -> impl Iterator<Item = Row<'_>> {
     })
 }
 
-/// The committed reference file, or the one that the environment variable names.
+/// The committed reference file, or the one named by the environment variable.
 fn reference() -> String {
     match std::env::var("OCTUPLE_REFERENCE") {
         Ok(path) => std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{path}: {error}")),
@@ -140,7 +140,7 @@ fn worst_errors_are_within_the_bounds() {
     }
 }
 
-/// Decimal literals of every length, halfway cases among them, become the nearest number, ties to even.
+/// Decimal literals of every length, including halfway cases, become the nearest number, ties to even.
 #[test]
 fn literals_are_read_to_the_nearest() {
     let text = reference();
@@ -175,7 +175,7 @@ fn constants_are_correctly_rounded() {
     assert!(Octuple::NAN.is_nan() && !Octuple::INFINITY.is_finite() && Octuple::INFINITY > Octuple::MAX);
 }
 
-/// Factors are scaled where they are so large or so small, which is not for what has no exponent.
+/// Very large and very small factors are scaled, which must not be done for numbers without an exponent.
 #[test]
 fn what_is_zero_or_not_finite_is_multiplied_and_added_beside_what_is_huge() {
     let (one, huge) = (Octuple::from(1.0), DualNum::powi(&Octuple::from(2.0), 70_000));
@@ -186,7 +186,7 @@ fn what_is_zero_or_not_finite_is_multiplied_and_added_beside_what_is_huge() {
     assert_eq!(of(1.0), huge);
 }
 
-/// The smallest number of all, to which a share of itself is added that is lost.
+/// The smallest positive number, plus a fraction of it that is lost to rounding.
 #[test]
 fn what_is_tiny_is_multiplied_and_added() {
     let tiny = Octuple::MIN_POSITIVE * Octuple::EPSILON;

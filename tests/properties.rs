@@ -1,4 +1,4 @@
-//! Properties of every formula of the catalog, tried by proptest on inputs from the declared domains.
+//! Properties of every formula of the catalog, tested by proptest on inputs from the declared domains.
 
 use crate::common;
 use jointproof::catalog::{AnyFormula, CATALOG};
@@ -17,8 +17,8 @@ fn for_every_formula(cases: u32, property: impl Fn(&'static dyn AnyFormula, &[f6
     }
 }
 
-/// The same points in every run: a failure is one of the code, and not of the day. `.cargo/config.toml` says so for every
-/// test that cargo runs; `.ci/long` asks for other points.
+/// The same points in every run, so that a failure depends only on the code. `.cargo/config.toml` ensures this for every test
+/// that cargo runs; `.ci/long` uses other points.
 #[test]
 fn random_points_are_the_same_in_every_run() {
     let config = Config::default();
@@ -61,7 +61,7 @@ fn audits_hold_at_any_point() {
     });
 }
 
-/// Where value and Jacobian share work, both have the bits of each computed alone.
+/// If value and Jacobian share work, both have the same bits as when computed alone.
 #[test]
 fn together_value_and_jacobian_are_those_of_each_alone() {
     let compare = |formula: &dyn AnyFormula, inputs: &[f64]| {
@@ -83,7 +83,7 @@ fn together_value_and_jacobian_are_those_of_each_alone() {
     });
 }
 
-/// Whatever the input, a result or a typed error, and no panic.
+/// For every input, a result or a typed error, and no panic.
 #[test]
 fn no_input_panics() {
     for formula in CATALOG {

@@ -1,9 +1,9 @@
-//! Where the formulas are from: the documents' own headings, and a reason for all that is not printed.
+//! The origins of the formulas: the documents' own headings, and a reason for everything that is not printed.
 
 use jointproof::catalog::CATALOG;
 use jointproof::formula::{Document, Provenance};
 
-/// The documents and their headings, as far as formulas stand under them.
+/// The documents and those of their headings that contain formulas.
 const HEADINGS: [(Document, &[&str]); 5] = [
     (Document::SLOT, &["Description", "Friction", "Summary"]),
     (Document::UJOINT, &["Description", "Friction", "Summary"]),

@@ -1,4 +1,4 @@
-//! Rings on a slide line as elements: what they refuse, and where a segment ends.
+//! Rings on a slide line as elements: the inputs they reject, and the ends of a segment.
 
 use jointproof::contact::interaction::{ExponentialContact, PressureExponential};
 use jointproof::contact::slide_line::element::newton::{Isl21a, Isl22a, LineContact, OnLine, PressureLaw, SlaveState};
@@ -20,7 +20,7 @@ fn at(r: f64, z: f64) -> Vector2<f64> {
     Vector2::new(r, z)
 }
 
-/// A ring of two nodes under a flat washer from 1 to 3, the first of them here.
+/// A ring of two nodes under a flat washer from 1 to 3, with its first node at this point.
 fn ring(first: Vector2<f64>) -> OnLine<f64, 2> {
     OnLine { nodes: [first, at(2.5, -0.125)], segments: [[at(1.0, 0.0), at(3.0, 0.0)]; 2] }
 }
@@ -33,7 +33,7 @@ fn broad(first: Vector2<f64>) -> OnLine<f64, 3> {
 
 const BEFORE: SlaveState<f64> = SlaveState { g: 0.0, s12: 0.25 };
 
-/// A straight segment has its ends, on both sides.
+/// A straight segment ends on both sides.
 #[test]
 fn past_either_end_of_a_straight_segment_nothing_is_transmitted() {
     for (r, g, pressure) in [(0.75, -1.25, 0.0), (1.0, -1.0, 8.0), (3.0, 1.0, 8.0), (3.25, 1.25, 0.0)] {
@@ -46,7 +46,7 @@ fn past_either_end_of_a_straight_segment_nothing_is_transmitted() {
     }
 }
 
-/// The search on a parabolic one stops at its ends: what is past one and what is above it have the same place.
+/// The search on a parabolic segment stops at its ends: a node past an end and one above it have the same closest point.
 #[test]
 fn past_either_end_of_a_parabolic_segment_nothing_is_transmitted() {
     let inside = 1.0 - 2.0_f64.powi(-20);
@@ -129,7 +129,8 @@ fn every_ring_asks_for_what_its_nodes_remember() {
     }
 }
 
-/// A torque of which all forces and derivatives are finite, and a derivative of which the torque is.
+/// A torque that overflows although all forces and derivatives are finite, and a derivative that overflows although the torque is
+/// finite.
 #[test]
 fn a_ring_tells_that_forces_or_a_torque_overflow() {
     let places = |unit: f64, depth: f64| {
@@ -147,7 +148,7 @@ fn a_ring_tells_that_forces_or_a_torque_overflow() {
     }
 }
 
-/// Between the ends, pressed and dragged: what acts on a node is shared out over its own segment, and over no other.
+/// Between the ends, pressed and dragged: the force on a node is distributed over its own segment, and over no other.
 #[test]
 fn what_acts_on_a_node_acts_back_on_its_segment() {
     let nodes = [at(2.0, 0.25), at(3.5, 0.75)];

@@ -1,8 +1,8 @@
-//! Up to which sizes of inputs the bounds of η hold, and that beyond they do not.
+//! The sizes of inputs up to which the bounds of η hold, and the fact that they do not hold beyond.
 //!
-//! The audit checks them at sizes up to the [scale](jointproof::formula::Spec::scale) that a formula states. Here stand inputs a
-//! little larger or smaller at which a bound is exceeded, one for every formula that does not hold everywhere.
-//! `cargo test --test all scale:: -- --ignored` searches for the scales and such inputs again.
+//! The audit checks the bounds at sizes up to the [scale](jointproof::formula::Spec::scale) that a formula states. This file uses
+//! inputs slightly larger or smaller, at which a bound is exceeded, for every formula whose bounds do not hold everywhere. `cargo
+//! test --test all scale:: -- --ignored` repeats the search for the scales and such inputs.
 
 use jointproof::catalog::{AnyFormula, CATALOG};
 use jointproof::toolkit::verify::golden::components;
@@ -11,25 +11,25 @@ use rayon::prelude::*;
 use serde_json::{Map, Value};
 use std::path::PathBuf;
 
-/// Of these a formula states one.
+/// The scales from which a formula states one.
 const SCALES: [f64; 15] = [1e3, 1e5, 1e10, 1e15, 1e20, 1e30, 1e40, 1e50, 1e60, 1e80, 1e100, 1e120, 1e150, 1e200, 1e250];
-/// At so many random points, taken to other sizes, a search finds a bound exceeded or not.
+/// The random points, converted to other sizes, at which a search checks whether a bound is exceeded.
 const SEARCHED: Options = Options { samples: 3000, seed: 5 };
 
 fn file() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/data/beyond.json")
 }
 
-/// For each formula that does not hold everywhere, inputs at which it does not.
+/// For each formula whose bounds do not hold everywhere, inputs at which they do not.
 fn kept() -> Map<String, Value> {
     serde_json::from_str(&std::fs::read_to_string(file()).unwrap()).unwrap()
 }
 
-/// Formulas state a scale so many steps below the first at which the search finds a bound exceeded, since another search may find
-/// one earlier.
+/// The number of steps between the stated scale and the first at which the search finds a bound exceeded, since another search
+/// may find one earlier.
 const MARGIN: usize = 2;
 
-/// The scale at which a bound is exceeded if this one is stated; none if it is the largest, which is stated if none is exceeded.
+/// The scale at which a bound is exceeded if this one is stated; `None` for the largest, which is stated if no bound is exceeded.
 fn beyond(scale: f64) -> Option<f64> {
     let place = SCALES.iter().position(|&known| known == scale).unwrap();
     let last = SCALES.len() - 1;
@@ -64,7 +64,7 @@ fn beyond_the_sizes_that_are_stated_a_bound_is_exceeded() {
     }
 }
 
-/// A formula may state less, where inputs that are kept show why: other points find what these do not.
+/// A formula may state a smaller scale if the stored inputs justify it: other points find what these do not.
 #[test]
 #[ignore = "searches for hours, or a quarter of one where the library is optimised"]
 fn no_sizes_are_stated_beyond_those_that_a_search_finds() {
@@ -84,7 +84,7 @@ fn no_sizes_are_stated_beyond_those_that_a_search_finds() {
     assert_eq!(others, [""; 0]);
 }
 
-/// The scale to be stated, and where a bound is exceeded most at the first at which it is.
+/// The scale to be stated, and the point at which a bound is exceeded most at the first scale at which it is.
 fn search(formula: &dyn AnyFormula) -> (f64, Option<Deviation>) {
     for (k, &scale) in SCALES.iter().enumerate().skip(1) {
         let claims = formula.eta_at_scale(scale, &SEARCHED);

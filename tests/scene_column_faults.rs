@@ -1,4 +1,4 @@
-//! What is wrong with the arrays of a scene: all of it is said, with its place, and nothing panics.
+//! Faults in the arrays of a scene: all of them are reported, with their locations, and nothing panics.
 
 use crate::columns::{Array, FILE, array, column_bits, file, parse};
 use jointproof::scene::npz::Writer;
@@ -7,7 +7,7 @@ use rawzip::{CompressionMethod, ZipArchiveWriter};
 use serde_json::{Value, json};
 use std::io::Write;
 
-/// A scene with every sort of array, and the arrays.
+/// A scene with every kind of array, and the arrays.
 fn sound() -> (Value, Vec<Array>) {
     let scene = json!({
         "dimension": "3d", "columns": FILE, "orientations": { "o": { "rotation": [0, 0, 0] } },
@@ -26,7 +26,7 @@ fn sound() -> (Value, Vec<Array>) {
     (scene, arrays)
 }
 
-/// A file of one array, of which everything is as it is said.
+/// A file of one array, whose header, numbers and compression are as given.
 fn made(header: &str, numbers: &[u8], method: CompressionMethod) -> Vec<u8> {
     let text = format!("{header}\n");
     let len = u16::try_from(text.len()).unwrap().to_le_bytes();
@@ -129,7 +129,7 @@ fn every_mistake_in_an_array_is_said_with_its_place() {
         place(message, "frames.loads.e.f2"),
         r#"no array "f" in "arrays.npz"; allowed is one of "b", "mu", "time", "u""#
     );
-    // All are said together.
+    // All faults are reported together.
     let message = parse(folder.path(), &scene, &file(&arrays[..1])).unwrap_err();
     assert_eq!(message.lines().count(), 2, "{message}");
 }
@@ -182,7 +182,7 @@ fn every_mistake_in_a_file_is_said() {
     assert!(message.contains("columns in a text that is in no folder"), "{message}");
 }
 
-/// Whatever happens to a byte, nothing panics; what is read all the same is what was written.
+/// Whatever happens to a byte, nothing panics; if an array is read nevertheless, it equals what was written.
 #[test]
 fn no_damage_goes_unseen_or_panics() {
     let (scene, arrays) = sound();
@@ -209,11 +209,11 @@ fn no_damage_goes_unseen_or_panics() {
             }
         }
     }
-    // Times of entries, say, that nothing depends on.
+    // The times of entries, for example, on which nothing depends.
     assert!(harmless < bytes.len() / 2, "{harmless} of {} flips are not seen", 2 * bytes.len());
 }
 
-/// The history is read again while it is evaluated, from the file as it is then.
+/// The history is read again during evaluation, from the file in its state at that time.
 #[test]
 fn a_file_that_changes_after_the_scene_was_read_is_seen() {
     let (scene, arrays) = sound();
@@ -242,7 +242,7 @@ fn a_file_that_changes_after_the_scene_was_read_is_seen() {
         let known = |array: &Array| changed.iter().find(|(name, ..)| *name == array.0).unwrap_or(array).clone();
         file(&arrays.iter().map(known).collect::<Vec<_>>())
     };
-    // Another number under the checksum of those before; only in "u" there are two of them side by side.
+    // A different number with the old checksum; only in "u" there are two equal numbers side by side.
     let mut other = whole.clone();
     let two = [0.5; 2].map(f64::to_le_bytes).concat();
     let at = whole.windows(two.len()).position(|bytes| bytes == two).unwrap();
@@ -257,7 +257,7 @@ fn a_file_that_changes_after_the_scene_was_read_is_seen() {
         assert!(unreadable.found.contains(found), "{unreadable}");
         assert!(unreadable.path.starts_with("frames."), "{unreadable}");
     }
-    // Of two faults the first is said: that of the first state, and in it that of the displacement.
+    // Of two faults the first is reported: that of the first state, and within it that of the displacement.
     let no_load = array("f", &[3, 2], &[f64::NAN; 6]);
     for (place, path) in [(7, "frames.loads.e.f2"), (0, "frames.nodes.b.u")] {
         assert_eq!(said(&with(&[u_with_nan_at(place), no_load.clone()])).path, path);
@@ -297,7 +297,7 @@ fn references_that_do_not_fit_are_said() {
     let with_c = [arrays.clone(), vec![array("c", &[3, 3], &[0.0; 9])]].concat();
     let message = parse(folder.path(), &sets, &file(&with_c)).map(|_| ()).unwrap_err();
     assert!(message.contains("sets of 3 and of 2 nodes"), "{message}");
-    // Without a file, a string is no array.
+    // Without a file, a string does not name an array.
     let mut without = scene.clone();
     without.as_object_mut().unwrap().remove("columns");
     let message = Scene::parse(&without.to_string()).unwrap_err().to_string();

@@ -1,4 +1,5 @@
-//! Scenes whose numbers stand as arrays in a file: the same bits as from JSON, and the same care about mistakes.
+//! Scenes whose numbers are stored as arrays in a file: they give the same bits as from JSON, and mistakes are detected as
+//! carefully.
 
 use crate::columns::{Array, FILE, array, column_bits, file, parse};
 use jointproof::scene::{Columns, Plan, Results, Run, Scene};
@@ -30,13 +31,13 @@ fn numbers(value: &Value) -> Vec<f64> {
         .map_or_else(|| vec![value.as_f64().unwrap()], |all| all.iter().map(|x| x.as_f64().unwrap()).collect())
 }
 
-/// The frames of a scene as arrays over all states: what a frame does not mention is what it was before.
+/// The frames of a scene as arrays over all states: values that a frame does not mention remain unchanged.
 fn as_columns(scene: &Value) -> (Value, Vec<Array>) {
     let frames = scene["frames"].as_array().unwrap();
     let times: Vec<_> = frames.iter().map(|frame| frame["time"].as_f64().unwrap()).collect();
     let mut arrays = vec![array("time", &[frames.len()], &times)];
     let mut history = json!({ "time": "time" });
-    // Every value that some frame gives, by its path.
+    // Every value given in some frame, by its path.
     let mut paths: Vec<(String, Vec<String>)> = Vec::new();
     for part in ["nodes", "loads", "pressures"] {
         for (name, value) in frames.iter().filter_map(|frame| frame[part].as_object()).flatten() {
@@ -68,7 +69,7 @@ fn as_columns(scene: &Value) -> (Value, Vec<Array>) {
     (scene, arrays)
 }
 
-/// The results of a scene by element and output: every number by its bits, and NaN in a state that has none.
+/// The results of a scene by element and output: the bits of every number, and NaN in a state without one.
 fn bits(results: &Results) -> Vec<(String, Vec<u64>)> {
     let of_state = |width: usize, state: &[f64]| {
         let there = (0..width).map(|k| state.get(k).copied().unwrap_or(f64::NAN).to_bits());
@@ -110,16 +111,16 @@ fn every_example_gives_the_same_bits_from_json_and_from_columns() {
     }
 }
 
-/// The same scene twice: sets with arrays, and every member by its name.
+/// Compares the same scene in two forms: with sets and arrays, and with every member by its name.
 fn assert_same(test: &str, sets: &Value, arrays: &[Array], single: &Value) {
     let of_sets = parse(tempfile::tempdir().unwrap().path(), sets, &file(arrays)).unwrap();
     let of_single = Scene::parse(&single.to_string()).unwrap_or_else(|faults| panic!("{faults}"));
     let results = Results::of(&of_sets).unwrap();
     assert_eq!(bits(&results), bits(&Results::of(&of_single).unwrap()), "{test}");
     assert_eq!(results.counts, Results::of(&of_single).unwrap().counts, "{test}");
-    // The columns of a set hold those of its members in turn.
+    // The columns of a set contain those of its members in turn.
     let columns = Columns::of(&of_sets).unwrap();
-    // What is written state by state is what is written array by array.
+    // Writing state by state gives the same file as writing array by array.
     let (mut written, mut streamed, mut states) = (Vec::new(), Cursor::new(Vec::new()), 0);
     columns.write(&mut written).unwrap();
     Columns::stream(&Plan::new(&of_sets), &mut streamed, || states += 1).unwrap();
@@ -144,7 +145,7 @@ fn assert_same(test: &str, sets: &Value, arrays: &[Array], single: &Value) {
     assert_eq!(of_members, expected, "{test}");
 }
 
-/// As `name[0]`, `name[1]` and so on, which sets call their members.
+/// Entries named `name[0]`, `name[1]` and so on, like the members of sets.
 fn members(name: &str, count: usize, of: impl Fn(usize) -> Value) -> Map<String, Value> {
     (0..count).map(|k| (format!("{name}[{k}]"), of(k))).collect()
 }
@@ -158,12 +159,12 @@ fn real(count: usize) -> f64 {
     count as f64
 }
 
-/// A number that differs for every one and component.
+/// A number that differs for every item and component.
 fn some(k: usize, component: usize) -> f64 {
     real((7 * k + 13 * component) % 101) / 64.0
 }
 
-/// Two thousand slots on one rail, of which every third has no friction, and as many on rails of their own.
+/// Two thousand slots on one rail, every third of them without friction, and as many on rails of their own.
 #[test]
 fn sets_are_their_members() {
     const COUNT: usize = 2000;
@@ -231,7 +232,7 @@ fn sets_are_their_members() {
     assert_same("sets", &sets, &arrays, &single);
 }
 
-/// The threads of a pin on a box: the elements lie between neighbours of one set.
+/// The threads of a pin on a box: each element lies between neighbours of one set.
 #[test]
 fn elements_lie_between_neighbours_of_a_set() {
     const PINS: usize = 9;
@@ -272,7 +273,7 @@ fn elements_lie_between_neighbours_of_a_set() {
     assert_same("neighbours", &sets, &arrays, &single);
 }
 
-/// Arrays of parts of a set, in any order, are those of the set; in the plane, where values have two components and one.
+/// Arrays of parts of a set, in any order, equal those of the set; in the plane, where values have two components or one.
 #[test]
 fn a_history_may_be_given_in_parts() {
     const COUNT: usize = 5;
@@ -320,7 +321,7 @@ fn a_history_may_be_given_in_parts() {
     assert!(moved.get("e", "RF").unwrap().numbers.iter().any(|&number| number != 0.0));
 }
 
-/// Of the values of a history in columns, those of one state are in memory.
+/// Only the values of one state of a history in columns are in memory.
 #[test]
 fn memory_does_not_grow_with_the_states() {
     const COUNT: usize = 50;
@@ -346,11 +347,11 @@ fn memory_does_not_grow_with_the_states() {
     };
     let [elements, nodes] = bytes(2);
     assert_eq!(bytes(200), [elements, nodes]);
-    // Where they are, and how far they move in the state that is evaluated and in the next.
+    // Their positions, and their displacements in the evaluated state and in the next.
     assert!(nodes > 3 * COUNT * size_of::<[f64; 3]>(), "{nodes}");
 }
 
-/// In frames of numbers, a set is moved as one.
+/// In frames of numbers, a set is moved as a whole.
 #[test]
 fn a_number_in_a_frame_is_that_of_every_member() {
     let scene = |nodes: Value| {
@@ -374,7 +375,7 @@ fn a_number_in_a_frame_is_that_of_every_member() {
     assert!(twice.unwrap_err().contains("\"b[2]\" for the second time"));
 }
 
-/// What a part of a set is loaded with is that of its own kind, whatever kind comes behind it.
+/// The loads of a part of a set are those of its own kind, whatever kind follows it.
 #[test]
 fn the_last_member_of_a_set_is_of_the_kind_of_the_set() {
     let scene = |frames: Value| {
@@ -406,7 +407,7 @@ fn the_same_results_have_the_same_bytes() {
     let mut streamed = Cursor::new(Vec::new());
     Columns::stream(&Plan::new(&Scene::parse(text).unwrap()), &mut streamed, || ()).unwrap();
     assert_eq!(streamed.into_inner(), written());
-    // Whatever the clock says: the time of every entry is the earliest that there is.
+    // Independent of the clock: the time of every entry is the earliest possible.
     let bytes = written();
     let archive = ZipArchive::from_slice(&bytes).unwrap();
     let mut entries = archive.entries();

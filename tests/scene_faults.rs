@@ -1,4 +1,4 @@
-//! Mistakes in scene files: each with its place, several at once, and never a panic or a hang.
+//! Mistakes in scene files: each is reported with its location, several at once, and none causes a panic or a hang.
 
 use jointproof::scene::{Kind, Plan, Results, Scene};
 use proptest::prelude::*;
@@ -121,7 +121,7 @@ fn text_that_is_not_json_ends_the_reading_where_it_is() {
 
 #[test]
 fn ten_megabytes_of_brackets_are_an_error() {
-    // What took a time that grows as the square would not end.
+    // An algorithm of quadratic time would not finish.
     for bracket in ["[", "{\"a\":", "[{\"a\":", "[[],", "\"", "9", "["] {
         let text = bracket.repeat(10_000_000 / bracket.len());
         for text in [text.clone(), format!("{{\"dimension\": \"3d\", \"nodes\": {text}")] {
@@ -139,7 +139,7 @@ fn a_hundred_faults_are_listed_and_the_rest_is_counted() {
     assert!(faults.to_string().ends_with("… and 99900 more"));
 }
 
-/// Coordinates of a node, and an orientation, in the space that a kind lives in.
+/// Coordinates of a node, and an orientation, in the dimension of a kind.
 fn place_and_turn(kind: &Kind) -> (&'static str, &'static str) {
     if kind.dimension.coordinates() == 3 {
         ("[1, 2, 3]", r#""rotation": [0, 0, 0]"#)
@@ -148,8 +148,7 @@ fn place_and_turn(kind: &Kind) -> (&'static str, &'static str) {
     }
 }
 
-/// The kinds say which parameters are in order, and so does the formula that reads them.
-/// Friction that is given as 0 needs as little as friction that is not given.
+/// Friction given as 0 needs no more parameters than friction that is not given.
 #[test]
 fn a_coefficient_of_zero_needs_no_stiffness() {
     let read = |mu: &str| {
@@ -163,6 +162,7 @@ fn a_coefficient_of_zero_needs_no_stiffness() {
     assert!(read(r#", "mu": 0.5"#).unwrap_err().to_string().contains("no \"k_stick\", needed for coulomb.response"));
 }
 
+/// The kinds define which parameters must be in order, and so does the formula that reads them.
 #[test]
 fn stops_in_the_wrong_order_are_refused() {
     let mut pairs = 0;
@@ -227,7 +227,7 @@ fn an_element_of_an_unknown_kind_is_one_fault() {
     }
 }
 
-/// Nothing that would refer to what is not there is another fault.
+/// References to a missing part are not further faults.
 #[test]
 fn a_part_that_is_missing_or_no_object_is_one_fault() {
     let thread = include_str!("../golden/scenes/thread.json");
@@ -238,7 +238,7 @@ fn a_part_that_is_missing_or_no_object_is_one_fault() {
         let (name, value) = if part == 0 { (format!("{key}s"), whole) } else { (key.into(), serde_json::json!([])) };
         parts.insert(name, value);
         let found = faults(&scene.to_string());
-        // A key that is misspelt is unknown, and the right one is missing.
+        // A misspelt key is unknown, and the correct one is missing.
         assert_eq!(found.len(), 2 - part, "{key}: {found:#?}");
         assert!(found.iter().all(|fault| fault.contains(key)), "{found:#?}");
     }
@@ -271,7 +271,7 @@ fn an_element_between_a_node_and_itself_is_refused() {
     }
 }
 
-/// Every output of every kind can be planned and evaluated, alone and all together.
+/// Every output of every kind can be planned and evaluated, alone and together with all others.
 #[test]
 fn every_output_of_every_kind_evaluates() {
     for kind in Kind::all() {
@@ -369,7 +369,7 @@ fn mutated() -> impl Strategy<Value = String> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(600))]
 
-    /// An error or a result; every fault has a place in the text.
+    /// The outcome is an error or a result; every fault has a location in the text.
     #[test]
     fn a_mutant_is_an_error_or_a_result(text in mutated()) {
         match Scene::parse(&text) {
@@ -384,7 +384,7 @@ proptest! {
         }
     }
 
-    /// What the reader takes for JSON is JSON.
+    /// Everything that the reader accepts is JSON.
     #[test]
     fn no_scene_that_is_not_json(text in mutated()) {
         if Scene::parse(&text).is_ok() {
@@ -398,7 +398,7 @@ const TRIADS: &str = r#"{"dimension": "3d", "orientations": {"along": {"rotation
     "elements": {"joint": {"kind": "ujoint", "nodes": ["a", "b"]}}, "outputs": ["GROT", "ALPHA", "GAMMA"],
     "frames": [{"time": 0}, {"time": 1, "nodes": {"a": {"ur": [0, 0, 0.1]}, "b": {"ur": [0, 0, 0.25]}}}]}"#;
 
-/// The first node's triad is required; a second node without one stands as the first does at the start.
+/// The first node's triad is required; a second node without one has the triad of the first at the start.
 #[test]
 fn a_required_triad_is_required_and_the_second_is_the_first() {
     for kind in ["slot", "translator", "ujoint"] {
@@ -435,7 +435,7 @@ fn a_translator_that_starts_near_a_right_angle_is_refused() {
     }
 }
 
-/// Nothing follows from a mistake that would be another fault.
+/// The consequences of a mistake are not reported as further faults.
 #[test]
 fn one_mistake_is_one_fault() {
     let found = |element: &str, frames: &str| {

@@ -1,4 +1,4 @@
-//! What scenes say about friction agrees with itself: where a contact slips Φ is 0 and the kinetic force holds the friction.
+//! The results of friction in scenes are consistent: in slip Φ is 0, and the kinetic force includes the friction.
 
 use jointproof::scene::{Dimension, Kind, Results, Scene};
 use proptest::prelude::Rng;
@@ -6,7 +6,7 @@ use proptest::test_runner::{RngAlgorithm, TestRng};
 use serde_json::Value;
 use std::fmt::Write as _;
 
-/// Names of what one free direction of a connector shows: friction, normal force, yield function, traction, slip.
+/// The output names of one free direction of a connector: friction, normal force, yield function, traction, slip.
 struct Direction {
     kind: &'static str,
     dimension: &'static str,
@@ -15,7 +15,7 @@ struct Direction {
     phi: &'static str,
     p: &'static str,
     slip: &'static str,
-    /// What else tells of the kinetic force or moment, that first.
+    /// Further outputs for the kinetic force or moment, with that itself first.
     kinetic: &'static [&'static str],
 }
 
@@ -56,12 +56,12 @@ impl Direction {
         [&self.shown(), self.kinetic].concat()
     }
 
-    /// The length that the kinetic force or moment has if friction is in it.
+    /// The magnitude of the kinetic force or moment if it includes friction.
     fn kinetic(&self, at: impl Fn(&str) -> f64, load: impl Fn(&str) -> f64) -> f64 {
         if self.kind != "ujoint" {
             return (load("f1") + at("CSF1")).abs();
         }
-        // Along e1a and e3b, which have the cosine GROT where they are perpendicular at the start.
+        // Along e1a and e3b, whose cosine is GROT if they are perpendicular at the start.
         let [m1, m3] = [load("m1") + at("CSM1"), load("m3") + at("CSM3")];
         (m1 * m1 + m3 * m3 + 2.0 * m1 * m3 * at("GROT")).sqrt()
     }
@@ -83,7 +83,7 @@ fn parsed(text: &str) -> Scene {
     Scene::parse(text).unwrap_or_else(|faults| panic!("{faults}\n{text}"))
 }
 
-/// How many states slipped, and how many stuck.
+/// The number of states in slip, and in stick.
 #[derive(Default)]
 struct Seen {
     slipped: usize,
@@ -91,7 +91,7 @@ struct Seen {
 }
 
 impl Seen {
-    /// Holds every state of an element to what the documents say of friction.
+    /// Checks every state of an element against the documented friction.
     fn hold(&mut self, results: &Results, file: &Value, element: &str, direction: &Direction) {
         let mu = file["elements"][element]["mu"].as_f64().unwrap();
         let given = ["f1", "m1", "m3"].map(|name| (name, loads(file, element, name)));
@@ -160,7 +160,7 @@ fn a_load_and_friction_make_the_kinetic_force_together() {
     let joint = element("ujoint", &format!(r#""mu": 0.5, "rp": 1, "la": 2, "mc1_int": 4, {shown}"#));
     let limit = 0.5 * get(&joint, "MN1")[0];
     assert_eq!((get(&joint, "P1"), get(&joint, "PHI1")), (vec![limit], vec![0.0]));
-    // The cross is turned by 0.5 about e1a, so that the third axis of b leans.
+    // The cross is rotated by 0.5 about e1a, so that the third axis of b is tilted.
     let moment = [2.0 + limit, -5.0 * 0.5_f64.sin(), 5.0 * 0.5_f64.cos()];
     for (found, expected) in get(&joint, "KM").into_iter().zip(moment) {
         assert!((found - expected).abs() < 1e-14, "{found} is not {expected}");
@@ -182,7 +182,7 @@ impl Numbers {
         format!("[{}]", numbers.join(", "))
     }
 
-    /// A history of forty states, of which some are still, of a connector of random measures.
+    /// A history of forty states, some without motion, of a connector with random dimensions.
     fn scene(&mut self, direction: &Direction, mu: f64) -> String {
         let Direction { kind, dimension, .. } = *direction;
         let space = dimension == "3d";
@@ -268,8 +268,8 @@ fn golden_scenes_agree_with_themselves() {
 }
 
 impl Seen {
-    /// Holds every node of an element on a slide line to the same: below μ p it sticks, and what it transmits follows its way
-    /// by the stick stiffness; where it slips, it transmits μ p.
+    /// Checks every node of an element on a slide line in the same way: below μ p it sticks, and its shear stress follows the
+    /// motion with the stick stiffness; in slip it transmits μ p.
     fn hold_contact(&mut self, results: &Results, file: &Value, element: &str) {
         let line = file["elements"][element]["slide_line"].as_str().unwrap();
         let [mu, k_stick] = ["mu", "k_stick"].map(|name| file["slide_lines"][line]["friction"][name].as_f64().unwrap());
@@ -295,7 +295,7 @@ impl Seen {
     }
 }
 
-/// A ring over a bent line, pressed on it and dragged along it, in forty states.
+/// A ring above a bent line, pressed against it and dragged along it, in forty states.
 fn ring(numbers: &mut Numbers) -> String {
     let mut number = |from: f64, to: f64| from + (to - from) * (0.5 + 0.5 * numbers.next());
     let (kind, line, nodes) = if number(0.0, 1.0) > 0.5 {

@@ -1,10 +1,10 @@
-//! The golden scenes: their results are what the code gives, and every output of every kind is in one of them.
+//! The golden scenes: their results are reproduced by the code, and every output of every kind is in one of them.
 
 use jointproof::scene::{Kind, Results, Scene};
 use serde_json::Value;
 use std::collections::BTreeSet;
 
-/// The golden scenes: path without ending, and text.
+/// The golden scenes: path without extension, and text.
 fn golden() -> Vec<(String, String)> {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/golden/scenes");
     let paths = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path().to_string_lossy().into_owned());
@@ -34,7 +34,7 @@ fn doubles_are_close_to_exact() {
         let scene = scene(&text);
         let (doubles, exact) = (Results::of(&scene).unwrap(), Results::exact(&scene).unwrap());
         for (series, exact) in doubles.series.iter().zip(&exact.series) {
-            // Where a history ends in a small difference, its error is that of the large values before it.
+            // If a history ends in a small difference, its error is that of the large values before it.
             let size = exact.values.iter().flatten().fold(1.0_f64, |size, value| size.max(value.abs()));
             for (a, b) in series.values.iter().flatten().zip(exact.values.iter().flatten()) {
                 assert!((a - b).abs() <= 1e-12 * size, "{stem} {} {}: {a} {b}", series.element, series.output);
@@ -43,7 +43,7 @@ fn doubles_are_close_to_exact() {
     }
 }
 
-/// What golden results do not show, nothing would miss.
+/// An output missing from golden results would not be tested.
 #[test]
 fn every_output_of_every_kind_is_in_a_golden_scene() {
     let mut shown = BTreeSet::new();
@@ -53,7 +53,7 @@ fn every_output_of_every_kind_is_in_a_golden_scene() {
             serde_json::from_str(&std::fs::read_to_string(format!("{stem}.result.json")).unwrap()).unwrap();
         for series in result["series"].as_array().unwrap() {
             let [element, output] = ["element", "output"].map(|key| series[key].as_str().unwrap());
-            // The torque of a slide line stands under the name of the line.
+            // The torque of a slide line is listed under the name of the line.
             let Some(kind) = scene["elements"][element]["kind"].as_str() else { continue };
             shown.insert(format!("{kind}@{}/{output}", scene["dimension"].as_str().unwrap()));
         }

@@ -1,11 +1,11 @@
-//! Mutated scenes: whatever somebody types, reading and evaluating end with results or with faults that have a place, never with
-//! a panic.
+//! Mutated scenes: whatever the input, reading and evaluating end with results or with faults that have a location, never with a
+//! panic.
 
 use jointproof::scene::{Results, Scene};
 use serde_json::{Map, Value, json};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-/// Numbers of a fixed sequence (SplitMix64), so that a mutant is found again by its number.
+/// Numbers of a fixed sequence (SplitMix64), so that a mutant can be reproduced from its number.
 struct Draw(u64);
 
 impl Draw {
@@ -22,7 +22,7 @@ impl Draw {
     }
 }
 
-/// Values of every type that have no business where they get to, or might have.
+/// Values of every type, most of them invalid where they are inserted.
 fn odd(draw: &mut Draw) -> Value {
     let all = [
         json!(null),
@@ -63,7 +63,7 @@ fn count(value: &Value) -> usize {
     }
 }
 
-/// The value of this number, itself being 0.
+/// The value with this number, counting the value itself as 0.
 fn nth(value: &mut Value, mut number: usize) -> &mut Value {
     if number == 0 {
         return value;
@@ -83,7 +83,7 @@ fn nth(value: &mut Value, mut number: usize) -> &mut Value {
     unreachable!("a number below the count")
 }
 
-/// Changes one thing in a scene, or in what has become of it.
+/// Changes one value in a scene, or in an already mutated one.
 fn mutate(scene: &mut Value, draw: &mut Draw) {
     let [one, other] = [draw.below(count(scene)), draw.below(count(scene))];
     match draw.below(6) {
@@ -111,7 +111,7 @@ fn mutate_members(members: &mut Map<String, Value>, how: usize, draw: &mut Draw)
     let value = if how == 5 { members[&key].clone() } else { members.shift_remove(&key).unwrap() };
     match how {
         2 => {}
-        // Misspelt, or last.
+        // Misspelt, or moved to the end.
         3 => drop(members.insert(format!("{key}s"), value)),
         4 => drop(members.insert(key, value)),
         _ => drop(members.insert(format!("{key} too"), value)),
@@ -141,8 +141,8 @@ fn parts<'v>(value: &'v mut Value, wanted: fn(&Value) -> bool, found: &mut Vec<&
     }
 }
 
-/// Changes numbers alone, so that the scene can be read as a rule, and what it asks may have no answer: nodes that coincide,
-/// triads that are none, products that overflow.
+/// Changes numbers only, so that the scene is normally readable, and its evaluation may be undefined: coincident nodes, vectors
+/// that are not triads, products that overflow.
 fn strain(scene: &mut Value, draw: &mut Draw) {
     let mut found = Vec::new();
     if draw.below(2) == 0 {
@@ -160,7 +160,7 @@ fn strain(scene: &mut Value, draw: &mut Draw) {
     }
 }
 
-/// Damages text: cuts it, flips bytes, writes a piece twice.
+/// Damages text: truncates it, flips bytes, duplicates a piece.
 fn damage(text: &str, draw: &mut Draw) -> String {
     let mut bytes = text.as_bytes().to_vec();
     let [start, end] = [draw.below(bytes.len()), draw.below(bytes.len())];
@@ -185,7 +185,7 @@ fn mutant(scenes: &[Value], number: u64) -> String {
     if draw.below(4) == 0 { damage(&text, &mut draw) } else { text }
 }
 
-/// The golden scenes, with a few of their states, so that a mutant takes little time.
+/// The golden scenes, with only a few of their states, so that a mutant takes little time.
 fn golden() -> Vec<Value> {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/golden/scenes");
     let paths = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path().to_string_lossy().into_owned());
@@ -200,7 +200,7 @@ fn golden() -> Vec<Value> {
     paths.into_iter().map(read).collect()
 }
 
-/// What becomes of a mutant; a panic is reported with its text.
+/// The outcome of a mutant; a panic is reported with its text.
 fn judge(text: &str) -> Outcome {
     let read = || match Scene::parse(text) {
         Err(faults) => {
@@ -226,7 +226,7 @@ enum Outcome {
     Undefined,
 }
 
-/// Judges so many mutants; every outcome must be among them, so that none of the three ways is left untried.
+/// Judges this many mutants; every outcome must occur, so that each of the three is tested.
 fn judge_mutants(count: u64) {
     let scenes = golden();
     let mut outcomes = [(Outcome::Refused, 0), (Outcome::Evaluated, 0), (Outcome::Undefined, 0)];

@@ -1,4 +1,5 @@
-//! How nodes of a scene stand and turn: every description of a triad, and whose triad an element reads among thousands.
+//! Orientations and rotations of the nodes of a scene: every description of a triad, and whose triad an element reads among
+//! thousands.
 
 use jointproof::scene::{Results, Scene};
 use std::f64::consts::FRAC_PI_2;
@@ -8,7 +9,7 @@ fn scene(text: &str) -> Scene {
     Scene::parse(text).unwrap_or_else(|faults| panic!("{faults}"))
 }
 
-/// Where b is in a's triad, with a's orientation as described and turned by a rotation vector.
+/// The position of b in the triad of a, with the orientation of a as described and rotated by a rotation vector.
 fn seen(orientation: &str, turned: &str) -> [f64; 3] {
     let scene = scene(&format!(
         r#"{{"dimension": "3d", "orientations": {{"o": {{{orientation}}}}},
@@ -25,7 +26,7 @@ fn assert_close(found: [f64; 3], expected: [f64; 3], what: &str) {
     assert!(!far, "{what}: {found:?}, expected {expected:?}");
 }
 
-/// A quarter of a turn to the left about z takes e1 to y and e2 to −x.
+/// A quarter turn to the left about z maps e1 to y and e2 to −x.
 #[test]
 fn every_description_turns_the_same_way() {
     let left = [2.0, -1.0, 3.0];
@@ -41,7 +42,7 @@ fn every_description_turns_the_same_way() {
         [2.0, 3.0, 1.0],
         "a third of a turn about (1, 1, 1)",
     );
-    // The turn of a frame comes after the orientation, about the global axes.
+    // The rotation of a frame follows the orientation, about the global axes.
     assert_close(seen(r#""quaternion": [1, 1, 0, 0]"#, &quarter), [2.0, 3.0, 1.0], "x to x, y to z, then x to y");
 }
 
@@ -77,9 +78,9 @@ fn what_tells_no_triad_is_refused() {
     }
 }
 
-/// Elements of a group share registers in blocks, and blocks are shared out to tasks: each must have its own nodes' triads and
-/// loads, not those of a block or a task before it. Some loads change and triads return; in the first
-/// half some nodes turn, so that they have triads of their own.
+/// Elements of a group share registers in blocks, and blocks are distributed over tasks: each element must have the triads and
+/// loads of its own nodes, not those of a previous block or task. Some loads change and triads recur; in the first half some
+/// nodes rotate, so that they have triads of their own.
 #[test]
 fn each_of_thousands_of_elements_is_as_if_it_were_alone() {
     const COUNT: usize = 5300;
@@ -142,7 +143,7 @@ fn in_the_plane_an_angle_turns_to_the_left() {
     assert_close([x, y, 0.0], [2.0, -1.0, 0.0], "a quarter of a turn");
 }
 
-/// More nodes than one thread takes, of which some move and turn again in later frames.
+/// More nodes than one thread takes, some of which move and rotate again in later frames.
 #[test]
 fn some_of_thousands_of_nodes_move_and_turn_on() {
     const COUNT: usize = 4200;
@@ -181,13 +182,13 @@ fn some_of_thousands_of_nodes_move_and_turn_on() {
     }
 }
 
-/// About the diagonal by √3, which is not by nothing.
+/// A rotation about the diagonal by √3, which is not zero.
 #[test]
 fn equal_parts_of_a_rotation_vector_turn_too() {
     let (at_once, later) =
         (seen(r#""rotation": [1, 1, 1]"#, "[0, 0, 0]"), seen(r#""rotation": [0, 0, 0]"#, "[1, 1, 1]"));
     assert_close(at_once, later, "from the start or after it");
-    // b is (−1, 0, 1) from the diagonal, and is seen to turn to (−1, 2, −1)/√3.
+    // b is (−1, 0, 1) from the diagonal, and relative to a it rotates towards (−1, 2, −1)/√3.
     let (sine, cosine) = 3_f64.sqrt().sin_cos();
     let across = [-1.0, 2.0, -1.0].map(|part| part * sine / 3_f64.sqrt());
     assert_close(at_once, [2.0 - cosine + across[0], 2.0 + across[1], 2.0 + cosine + across[2]], "about the diagonal");

@@ -1,4 +1,4 @@
-//! What scenes have beside the connectors of the documents: parts of connectors, stops on one side, SLIDER with radius and
+//! Features of scenes beyond the connectors of the documents: parts of connectors, stops on one side, SLIDER with radius and
 //! axis, generated nodes, areas and bases on slide lines, the torque frequency.
 
 use jointproof::connector::align::AlignFromStart;
@@ -35,7 +35,7 @@ fn a_stop_on_one_side_needs_nothing_of_the_other() {
         assert_eq!(Results::of(&lower).unwrap().get("e", "GAPMIN", 0), Some(&[5.5][..]));
         let formulas: Vec<_> = Plan::new(&lower).lines().into_iter().map(|line| line.formula).collect();
         assert_eq!(formulas, ["slot.relative_position", "slot.stop"]);
-        // Both together are one formula.
+        // Both together are computed by one formula.
         let both =
             scene(&element(&format!(r#""kind": "{kind}", "l1_min": -4, "l1_max": 4"#), r#"["GAPMIN", "GAPMAX"]"#));
         assert_eq!(Plan::new(&both).lines().len(), 2);
@@ -93,7 +93,7 @@ fn a_translator_and_a_joint_may_have_one_stop() {
     }
 }
 
-/// Parts give what the whole gives.
+/// Parts give the same results as the whole.
 #[test]
 fn align_join_and_universal_are_parts_of_translator_and_ujoint() {
     let loads = r#""e": {"f1": 1, "f2": 2, "f3": 3, "m1": 4, "m2": 5, "m3": 6}"#;
@@ -113,7 +113,7 @@ fn align_join_and_universal_are_parts_of_translator_and_ujoint() {
     }
 }
 
-/// A translator that starts at 90° about the second axis, where its own angles are refused.
+/// A translator that starts at 90° about the second axis, where its own angles are rejected.
 #[test]
 fn angles_since_the_start_are_those_of_the_typed_connector_wherever_it_starts() {
     for (start, regular) in [(0.5, true), (std::f64::consts::FRAC_PI_2, false), (-1.5706, false), (3.0, true)] {
@@ -130,7 +130,7 @@ fn angles_since_the_start_are_those_of_the_typed_connector_wherever_it_starts() 
         let at = |output, state| results.get("t", output, state).unwrap()[0];
         let ((s, c), (turn_s, turn_c)) = (start.sin_cos(), 0.25_f64.sin_cos());
         let b = |s3: f64, c3: f64| {
-            // Turned about y by the start, then about z.
+            // Rotated about y from the start, then about z.
             let about_z = |v: Vector3<f64>| Vector3::new(c3 * v.x - s3 * v.y, s3 * v.x + c3 * v.y, v.z);
             let axes = [Vector3::new(c, 0.0, -s), Vector3::y(), Vector3::new(s, 0.0, c)].map(about_z);
             Triad::new(axes[0], axes[1], axes[2]).unwrap()
@@ -160,13 +160,13 @@ fn a_slider_with_radius_and_axis_is_that_of_the_plane() {
     let at = |output, state| plane.get("rail", output, state).unwrap();
     assert_eq!((at("L", 0)[0], at("N", 0)[2]), (20.0_f64.sqrt(), 0.0));
     assert_eq!((at("XMI", 0), at("XMI", 1)), (&[1.0][..], &[1.5][..]));
-    // Along the line nothing is violated; b and m go up by 4 and 3: m lies three quarters along the line.
+    // Along the line nothing is violated; b and m move up by 4 and 3: m lies at three quarters of the line.
     assert_eq!([at("R", 0)[0], at("R", 1)[0], at("G", 1)[0]], [0.0, 0.0, 0.0]);
     let residual = at("R", 2)[0];
     assert!(residual.abs() < 1e-15, "{residual}");
 }
 
-/// The residual in the plane is the one of space that is not zero by itself.
+/// The residual in the plane is the one in space that is not automatically zero.
 #[test]
 fn the_residual_in_the_plane_is_that_of_space() {
     let off = PLANE.replace(r#""u": [1, 3.5]"#, r#""u": [1.25, 3]"#);
@@ -256,7 +256,7 @@ fn areas_and_bases_are_those_of_element_and_line() {
     let nodes = Nodes::new([(1, [1.75, -0.5]), (2, [2.5, -0.25])]).unwrap();
     let areas = IslElement::isl21a(1, [1, 2]).unwrap().areas(&nodes).unwrap();
     assert_eq!(results.get("e", "AREA", 1), Some(&areas[..]));
-    // m is below the first segment, n beside the corner: the closest point is the node, the normal along the gap.
+    // m is below the first segment, n next to the corner: the closest point is the node, with the normal along the gap.
     let at = |output| results.get("e", output, 1).unwrap();
     assert_eq!((&at("T1")[..2], &at("N")[..2]), (&[1.0, 0.0][..], &[0.0, 1.0][..]));
     let length = 0.5_f64.hypot(0.25);

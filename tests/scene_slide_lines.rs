@@ -1,4 +1,4 @@
-//! Slide lines in scenes: the thread against closed forms, plans held to the least, hard contact, mistakes.
+//! Slide lines in scenes: the thread compared with closed forms, minimal plans, hard contact, mistakes.
 
 use jointproof::contact::isl::{Contact, ElementSet, Increment, Interaction, IslElement};
 use jointproof::contact::slide_line::{Interpolation, Nodes, SlideLine};
@@ -20,7 +20,7 @@ fn close(found: f64, expected: f64) {
     assert!((found - expected).abs() <= 1e-10 * expected.abs().max(1.0), "{found} is not {expected}");
 }
 
-/// The thread with other outputs.
+/// The thread with different outputs.
 fn plan(outputs: &str) -> Vec<(&'static str, usize)> {
     let text = THREAD.replace(r#"["E11", "E12", "S11", "S12", "T"]"#, outputs);
     let scene = scene(&text);
@@ -73,17 +73,17 @@ fn the_thread_closes_slips_sticks_and_carries_torque() {
         for (output, expected) in [("E11", -closure), ("E12", -way * cosine), ("S11", pressure)] {
             results.get("thread 2", output, state).unwrap().iter().for_each(|&found| close(found, expected));
         }
-        // Where the flanks just touch, the pressure is what the rounding of the coordinates has left.
+        // Where the flanks just touch, the pressure consists of rounding errors of the coordinates.
         let (torque, total) = (torque_of_cone(pressure), results.get("box", "T", state).unwrap()[0]);
         assert!((total - torque).abs() <= 1e-10 * torque_of_cone(150.0), "{total} is not {torque}");
     }
     let shear = |state| results.get("thread 1", "S12", state).unwrap()[0];
     let pressure = |state| results.get("thread 1", "S11", state).unwrap()[0];
     close(shear(5), -0.1 * pressure(5));
-    // Backed off by 0.001, it sticks.
+    // Moved back by 0.001, it sticks.
     close(shear(6), shear(5) + 0.001 * cosine * 5000.0);
     close(shear(7), 0.1 * pressure(7));
-    // Open again, nothing is transmitted.
+    // Open again, it transmits nothing.
     assert_eq!((pressure(9), shear(9)), (0.0, 0.0));
 }
 
@@ -100,7 +100,7 @@ fn hard_contact_pushes_where_it_is_closed_and_only_there() {
     assert_eq!(results.get("ring", "S11", 0), Some(&[0.0, 0.0][..]));
     assert_eq!(results.get("ring", "E11", 1), Some(&[0.0, 1.0][..]));
     assert_eq!(results.get("ring", "S11", 1), Some(&[7.0, 0.0][..]));
-    // A pressure that is given again takes the place of the one before.
+    // A pressure that is given again replaces the previous one.
     assert_eq!(results.get("ring", "S11", 2), Some(&[4.0, 0.0][..]));
 }
 
@@ -174,8 +174,8 @@ fn threads_change_no_bit() {
     assert_eq!(with(1), with(5));
 }
 
-/// An ISL22A ring on a plate: how large it is, what acts between them, and what is wanted. The last frame presses it down
-/// by a thousandth of its height.
+/// An ISL22A ring on a plate: its size, the interaction, and the requested outputs. The last frame presses it down by a
+/// thousandth of its height.
 fn ring(size: f64, interaction: &str, outputs: &str) -> String {
     let at = |r: f64, z: f64| format!("[{:e}, {:e}]", r * size, z * size);
     let nodes = RING.map(|(name, [r, z])| format!(r#""{name}": {{"at": {}}}"#, at(r, z)));
@@ -214,7 +214,7 @@ fn an_overflow_is_blamed_on_the_formula_and_the_place_where_it_was() {
     let sticking = r#""pressure": {"k": 1}, "friction": {"mu": 1e308, "k_stick": 1e308}"#;
     expect(&ring(1e9, sticking, r#"["S12"]"#), &node("coulomb.response: s12 is too large"));
 
-    // Two elements with torques that are doubles each, but not together.
+    // Two elements whose torques are each representable as a double, but not their sum.
     let torque = Results::of(&scene(&ring(10.0, r#""pressure": {"k": 1}"#, r#"["T"]"#))).unwrap();
     let k = 1.2e308 / torque.get("plate", "T", 1).unwrap()[0];
     let one = ring(10.0, &format!(r#""pressure": {{"k": {k:e}}}"#), r#"["T"]"#);
@@ -242,7 +242,7 @@ fn a_scene_and_a_contact_give_the_same_bits() {
         let get = |output| results.get("ring", output, state).unwrap();
         for (k, node) in of_contact.nodes().values().enumerate() {
             let found = [get("E11")[k], get("E12")[k], get("S11")[k], get("S12")[k]];
-            // What a displacement is taken from rounds differently: here from the place, there from the frame.
+            // The reference for displacements is rounded differently: here the position, there the frame.
             for (found, expected) in found.into_iter().zip([node.e11, node.e12, node.s11, node.s12]) {
                 assert!((found - expected).abs() <= 4.0 * f64::EPSILON * expected.abs(), "{found} is not {expected}");
             }
@@ -262,7 +262,7 @@ fn what_ran_is_counted_where_it_runs() {
         let (planned, ran) = plan_and_run(&text);
         assert_eq!(planned, ran, "one segment: every node is compared with it alone");
     }
-    // Past the end of the line nothing presses, so no law is asked.
+    // Past the end of the line the pressure is 0, so that no law is evaluated.
     let (planned, ran) =
         plan_and_run(&ring(1.0, RUBBING, ALL).replace(r#""b": {"at": [5e0, 0e0]}"#, r#""b": {"at": [2.25, 0]}"#));
     let count = |counts: &[(&str, usize)], id| counts.iter().find(|(formula, _)| *formula == id).unwrap().1;
@@ -271,7 +271,7 @@ fn what_ran_is_counted_where_it_runs() {
     assert_eq!((count(&ran, law), count(&ran, slip)), (1, 6));
 }
 
-/// A first state that has moved asks where the nodes came from, which is a search more for each.
+/// If a node has moved in the first state, its previous position needs an additional search.
 #[test]
 fn the_search_for_the_place_before_is_counted() {
     let moved = ring(1.0, RUBBING, r#"["E12"]"#).replace(r#"{"time": 0}, "#, "");
@@ -287,7 +287,7 @@ fn the_search_for_the_place_before_is_counted() {
     );
 }
 
-/// Where a node moves away faster than the law presses, damping pulls; what pulls transmits no torque.
+/// If a node moves away fast enough, damping makes the pressure negative; a negative pressure transmits no torque.
 #[test]
 fn a_node_that_damping_pulls_has_no_part_in_the_torque() {
     let text = r#"{"dimension": "axisymmetric",
@@ -347,7 +347,7 @@ fn the_torque_of_a_line_is_that_of_the_elements_that_are_asked_for_it() {
     assert!(carries);
 }
 
-/// What is wrong with a slide line over nodes that are called `n1` to `n7`.
+/// The faults of a slide line over nodes named `n1` to `n7`.
 fn wrong(line: &str) -> Vec<String> {
     let nodes = (1..=7).map(|k| format!(r#""n{k}": {{"at": [{k}, 0]}}"#)).collect::<Vec<_>>().join(", ");
     let text = format!(
@@ -389,7 +389,7 @@ fn whole_numbers_are_of_their_range_and_generated_names_of_their_line() {
     }
     let found = generate(r#""first": "n5", "last": "n9""#);
     assert!(found.len() == 1 && found[0].contains("no node \"n8\""), "{found:?}");
-    // Its one node is wrong with the line, not with the names.
+    // The fault is the single node of the line, not its names.
     let found = generate(r#""first": "n2", "last": "n2""#);
     assert!(found.len() == 1 && !found[0].contains("multiple"), "{found:?}");
 }

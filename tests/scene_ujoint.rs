@@ -1,4 +1,4 @@
-//! UJOINT in scenes: plans held to the least, results of the typed connector, friction over a turn.
+//! UJOINT in scenes: minimal plans, results of the typed connector, friction over a rotation.
 
 use jointproof::connector::ujoint::{Cross, Loads, Pose, Stops, UJoint};
 use jointproof::element::frame::Triad;
@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 
 const DRIVE_SHAFT: &str = include_str!("../golden/scenes/drive-shaft.json");
 
-/// A joint at rest under a load, its triads at an angle.
+/// A joint at rest under a load, with its triads at an angle.
 fn joint(outputs: &str) -> Scene {
     let text = format!(
         r#"{{"dimension": "3d", "orientations": {{"turned": {{"axes": [[1, 0, 0], [0, 0.6, 0.8]]}}, "o": {{"rotation": [0, 0, 0]}}}},
@@ -29,7 +29,7 @@ fn plan(outputs: &str) -> Vec<String> {
 fn only_what_an_output_needs_is_evaluated() {
     assert_eq!(plan(r#"["MC1"]"#), ["ujoint.contact_moments"]);
     assert_eq!(plan(r#"["MN1", "MN3"]"#), ["ujoint.contact_moments", "ujoint.normal_moments"]);
-    // Φ is that of the friction moment, which is found over the increments.
+    // Φ is that of the friction moment, which is computed over the increments.
     let yields = plan(r#"["PHI1"]"#);
     assert_eq!(yields.last().map(String::as_str), Some("coulomb.yield"));
     assert_eq!(yields.iter().filter(|line| *line == "coulomb.response").count(), 1);
@@ -42,7 +42,11 @@ fn only_what_an_output_needs_is_evaluated() {
     let friction = plan(r#"["CSM1"]"#);
     let count = |formula: &str| friction.iter().filter(|line| *line == formula).count();
     // About one axis only, so one increment and one response.
-    assert_eq!((count("scene.increment"), count("coulomb.response"), count("scene.slip_total")), (1, 1, 0), "{friction:?}");
+    assert_eq!(
+        (count("scene.increment"), count("coulomb.response"), count("scene.slip_total")),
+        (1, 1, 0),
+        "{friction:?}"
+    );
 }
 
 #[test]
@@ -78,11 +82,11 @@ fn friction_of_the_drive_shaft_stays_within_its_limit_and_turns_with_the_swing()
     }
     let moments: Vec<_> = (0..states).map(|state| at("CSM1", state)).collect();
     assert!(moments.iter().any(|&moment| moment > 0.0) && moments.iter().any(|&moment| moment < 0.0), "{moments:?}");
-    // The second joint is asked for less, and gives no more.
+    // Fewer outputs of the second joint are requested, and it has no others.
     assert!(results.get("second", "CSM1", 0).is_none() && results.get("second", "ALPHA", 0).is_some());
 }
 
-/// From 160° to 200° there is no jump, in a scene and in the typed connector; a stop at 4 rad is seen to be passed at 240°.
+/// From 160° to 200° there is no jump, in a scene and in the typed connector; a stop at 4 rad is found to be passed at 240°.
 #[test]
 fn turns_are_followed_from_state_to_state() {
     let degrees = [0.0_f64, 90.0, 160.0, 200.0, 240.0, 400.0, 330.0, 160.0, 0.0, -30.0, -190.0];
@@ -123,7 +127,7 @@ fn turns_are_followed_from_state_to_state() {
         close(joint.relative_motion_from(&last, &pose).unwrap().ur1, turn);
         close(joint.gaps_from(&last, &pose).unwrap().unwrap().gap1_max, 1.0 - turn);
         last = joint.turns_from(&last, &pose).unwrap();
-        // Without a last state it is within half a turn of the start.
+        // Without a previous state it is within half a turn of the start.
         assert!(joint.relative_motion(&pose).unwrap().ur1.abs() <= std::f64::consts::PI);
     }
 }

@@ -1,4 +1,4 @@
-//! Scenes: plans held to the least, histories, results against the typed API and against closed forms.
+//! Scenes: minimal plans, histories, results compared with the typed API and with closed forms.
 
 use jointproof::connector::slot::{Pose, Slot};
 use jointproof::scene::rules::RULES;
@@ -15,7 +15,7 @@ fn scene(text: &str) -> Scene {
     Scene::parse(text).unwrap_or_else(|faults| panic!("{faults}"))
 }
 
-/// A slot with two loads, a third if there is room for it.
+/// A slot with two loads, and a third in space.
 fn one(dimension: &str, element: &str, outputs: &str) -> Scene {
     let (b, u) = if dimension == "3d" { ("[1, 2, 3]", "[0.5, 0, 0.25]") } else { ("[1, 2]", "[0.5, 0.25]") };
     let (a, turn) =
@@ -29,7 +29,7 @@ fn one(dimension: &str, element: &str, outputs: &str) -> Scene {
     ))
 }
 
-/// The formulas of a plan in their order, those at the start marked.
+/// The formulas of a plan in order, with those at the start marked.
 fn plan(scene: &Scene) -> Vec<String> {
     let lines = Plan::new(scene).lines();
     lines.iter().map(|line| format!("{}{}", if line.once { "start: " } else { "" }, line.formula)).collect()
@@ -47,7 +47,7 @@ fn plans_hold_nothing_that_no_output_needs() {
     assert_eq!(slot(r#"["FC"]"#), ["slot.contact_force"]);
     assert_eq!(slot(r#"["X"]"#), ["slot.relative_position"]);
     assert_eq!(slot(r#"["GY"]"#), ["start: slot.relative_position", "slot.constraint"]);
-    // Where μ is 0, no friction is looked for, and Φ is 0.
+    // If μ is 0, no friction is computed, and Φ is 0.
     let yields = ["slot.contact_force", "slot.normal_force", "scene.traction", "coulomb.yield"];
     assert_eq!(sorted(slot(r#"["FN", "PHI"]"#)), sorted(yields.map(String::from).into()));
     assert_eq!(slot(r#"["KF"]"#), ["slot.kinetic_force"]);
@@ -64,7 +64,7 @@ fn no_third_axis_in_the_plane() {
     assert_eq!(results.get("e", "U1", 0), Some(&[0.5][..]));
     assert_eq!(results.get("e", "GY", 0), Some(&[0.25][..]));
     assert_eq!(results.get("e", "RF", 0), Some(&[0.0, -3.0, 0.0][..]));
-    // What the start has computed is not taken for the force that there is not.
+    // The values computed at the start are not used in place of the missing force.
     for outputs in [r#"["FC", "GY"]"#, r#"["FC", "U1"]"#, r#"["FC", "U1", "GY"]"#, r#"["FC", "X", "GY"]"#] {
         let results = Results::of(&one("2d", r#""kind": "slot""#, outputs)).unwrap();
         assert_eq!(results.get("e", "FC", 0), Some(&[3.0][..]), "{outputs}");
@@ -165,11 +165,11 @@ fn the_telescope_sticks_slips_turns_back_and_meets_its_stops() {
     // 1.5/0.02 + |(30, -40)| + 2 |(6, -8)|/0.25 + 20 of press fit
     assert_eq!(at("FN", 0), 225.0);
     assert_eq!(at("CSF1", 0), 0.0);
-    // 200 µm need 40 of force, the limit is 33.75: the rest is slip.
+    // 200 µm need a force of 40, the limit is 33.75: the rest is slip.
     assert_eq!(at("CSF1", 1), 33.75);
     assert!((at("CASU1", 1) - (0.0002 - 33.75 / 200_000.0)).abs() < 1e-18);
     assert_eq!(at("CSF1", 2), 33.75);
-    // It turns back by 250 µm: the force falls by 50 and nothing slips.
+    // It moves back by 250 µm: the force falls by 50 and nothing slips.
     assert_eq!(at("CASU1", 6), at("CASU1", 5));
     assert!((at("CSF1", 5) - at("CSF1", 6) - 50.0).abs() < 1e-9);
     assert!(at("CSF1", 7) < 0.0 && at("FTORQ", 7) == 0.0);
@@ -179,7 +179,7 @@ fn the_telescope_sticks_slips_turns_back_and_meets_its_stops() {
     assert!(at("GAPMIN", 8).abs() < 1e-15, "the lower stop closes");
 }
 
-/// tan θ2 = tan θ1 / cos δ, where the arm of the input yoke starts in the plane of the shafts.
+/// tan θ2 = tan θ1 / cos δ, if the arm of the input yoke starts in the plane of the shafts.
 #[test]
 fn universal_joints_turn_as_the_closed_form_says() {
     let results = Results::of(&scene(DRIVE_SHAFT)).unwrap();
@@ -187,7 +187,7 @@ fn universal_joints_turn_as_the_closed_form_says() {
         let worst = series.values.iter().flatten().fold(0.0_f64, |worst, g| worst.max(g.abs()));
         assert!(worst < 1e-15, "{} {}: {worst:e}", series.element, series.output);
     }
-    // The residual changes its sign where the closed form says, and nowhere near.
+    // The residual changes its sign exactly where the closed form predicts.
     let delta = std::f64::consts::FRAC_PI_6;
     for degrees in [10.0_f64, 40.0, 75.0, 130.0, 200.0, 300.0] {
         let theta = degrees.to_radians();
@@ -210,7 +210,7 @@ fn universal_joints_turn_as_the_closed_form_says() {
 
 #[test]
 fn two_joints_in_phase_keep_the_ratio_constant() {
-    // The scene turns input and output alike; the second joint's residual says that this is where the output must be.
+    // The scene rotates input and output equally; the residual of the second joint shows that this is the correct output.
     let results = Results::exact(&scene(DRIVE_SHAFT)).unwrap();
     for state in 0..results.times.len() {
         assert!(results.get("second", "GROT", state).unwrap()[0].abs() < 1e-15);
@@ -232,7 +232,7 @@ fn sliders_stay_on_the_line_until_one_leaves_it() {
     assert!((off("outer", 5) - expected).abs() < 1e-10, "{} {expected}", off("outer", 5));
 }
 
-/// On a line that turns, the increment that follows from the documented one is that of the node, which stays on it.
+/// On a rotating line, the increment from the documented formula is that of the node, which stays on the line.
 #[test]
 fn a_slider_in_the_plane_follows_its_line() {
     let scene = scene(
@@ -250,7 +250,7 @@ fn a_slider_in_the_plane_follows_its_line() {
 
 #[test]
 fn threads_change_no_bit() {
-    // Of two kinds by turns, and in the frames the last comes first.
+    // Two kinds alternate, and in the frames the last comes first.
     let nodes = (1..5000).map(|i| format!(r#""a{i}": {{"at": [{i}, 0.1, 0]}}, "#)).collect::<Vec<_>>().concat();
     let kind = |i: usize| if i.is_multiple_of(3) { "translator" } else { "slot" };
     let element =
@@ -277,7 +277,7 @@ fn threads_change_no_bit() {
     };
     let results = with(1);
     assert_eq!(results, with(5));
-    // One by one, they give the same.
+    // One by one, they give the same results.
     for i in [1, 64, 66, 4095, 4999] {
         let alone = Results::of(&only(i)).unwrap();
         let of_element = results.series.iter().filter(|series| series.element == format!("e{i}"));
@@ -285,7 +285,7 @@ fn threads_change_no_bit() {
     }
 }
 
-/// Frames that say everything again give what frames give that say only what changes.
+/// Frames that repeat everything give the same results as frames that mention only changes.
 #[test]
 fn what_a_frame_does_not_mention_stays() {
     let results = |frames: [&str; 4]| {
@@ -359,7 +359,7 @@ fn a_plan_counts_what_runs_and_the_start_runs_once() {
         let plan = Plan::new(&scene);
         let results = Results::of(&scene).unwrap();
         assert_eq!(plan.counts(results.times.len()), results.counts);
-        // Nothing of a state was evaluated before the first.
+        // Nothing was evaluated for any state before the first.
         let run = Run::<f64>::new(&plan).unwrap();
         let mut at_start: Vec<_> = plan.lines().into_iter().filter(|line| line.once).map(|line| line.formula).collect();
         at_start.dedup();
@@ -407,7 +407,7 @@ fn a_hundred_problems_are_listed_at_most() {
         Err(Stopped::Problems(problems)) => problems.0.len(),
         other => panic!("{other:?}"),
     };
-    // At the start, of two groups of sixty.
+    // At the start: two groups of sixty.
     let outputs = |k: usize| if k.is_multiple_of(2) { r#""UR2""# } else { r#""UR1", "UR2""# };
     let element = |k| format!(r#""e{k}": {{"kind": "translator", "nodes": ["a", "b"], "outputs": [{}]}}"#, outputs(k));
     let elements = (0..120).map(element).collect::<Vec<_>>().join(", ");
@@ -417,7 +417,7 @@ fn a_hundred_problems_are_listed_at_most() {
         "elements": {{{elements}}}}}"#
     );
     assert_eq!(listed(&start), 100);
-    // In a state, of as many slide lines.
+    // In a state: as many slide lines.
     let each = |of: fn(usize) -> String| (0..101).map(of).collect::<Vec<_>>().join(", ");
     let lines = each(|k| format!(r#""l{k}": {{"type": "linear", "nodes": ["a", "b"]}}"#));
     let rings = each(|k| format!(r#""r{k}": {{"kind": "isl21a", "nodes": ["m", "n"], "slide_line": "l{k}"}}"#));

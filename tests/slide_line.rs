@@ -21,7 +21,7 @@ fn closest(kind: Interpolation, places: &[[f64; 2]], smoothing: Option<f64>, xs:
     line(kind, places.len(), smoothing).place(&numbered(places)).unwrap().closest(xs.into()).unwrap()
 }
 
-// --- Topology and what is rejected -----------------------------------------------------------------------------------
+// --- Topology and rejected input -------------------------------------------------------------------------------------
 
 #[test]
 fn bad_lines_are_named() {
@@ -70,7 +70,7 @@ fn bad_nodes_are_named() {
     );
     let coincident = "nodes 1 and 3 are at one place; allowed are different places";
     assert_eq!(place(Interpolation::Parabolic, 3, &[[0.0; 2], [1.0; 2], [0.0; 2]]), coincident);
-    // Billions of nodes are not written out to find that one is unknown.
+    // Billions of nodes are not expanded only to find that one is unknown.
     let endless = SlideLine::generate(Interpolation::Linear, 1, u32::MAX, 1).unwrap();
     assert!(matches!(endless.place(&numbered(&[[0.0; 2]])), Err(Error::UnknownNode { node: 2 })));
 }
@@ -142,7 +142,7 @@ fn the_place_is_a_segment_a_corner_a_node_or_past_an_end() {
 #[test]
 fn a_point_on_the_wrong_side_penetrates() {
     assert!(is(closest(Interpolation::Linear, &ROOF, None, [1.0, 0.0]).separation, -(0.5_f64.sqrt())));
-    // The same line the other way round has the slave below.
+    // The reversed line has the slave below it.
     let back = [ROOF[2], ROOF[1], ROOF[0]];
     assert!(is(closest(Interpolation::Linear, &back, None, [1.0, 0.0]).separation, 0.5_f64.sqrt()));
     assert_eq!(closest(Interpolation::Linear, &back, None, [2.0, 5.0]).separation, -3.0);
@@ -150,7 +150,7 @@ fn a_point_on_the_wrong_side_penetrates() {
 
 #[test]
 fn ties_go_to_the_smaller_segment() {
-    // Under the ridge both slopes are equally near; above a valley too.
+    // Below the ridge both slopes are equally near; likewise above a valley.
     let Place::Segment { index: 0, g } = closest(Interpolation::Linear, &ROOF, None, [2.0, 1.0]).place else {
         panic!()
     };
@@ -160,13 +160,13 @@ fn ties_go_to_the_smaller_segment() {
         let Place::Segment { index: 0, .. } = closest(Interpolation::Linear, &valley, None, [1.1, z]).place else {
             panic!("{z}")
         };
-        // A hair to the right of the medial axis it is the other one.
+        // Slightly to the right of the medial axis it is the other one.
         let xs = [1.1 + 1e-12, z];
         let Place::Segment { index: 1, .. } = closest(Interpolation::Linear, &valley, None, xs).place else {
             panic!("{z}")
         };
     }
-    // Within a parabola the smaller coordinate.
+    // Within a parabola it is the smaller coordinate.
     let bowl = [[0.0, 4.0], [2.0, 0.0], [4.0, 4.0]];
     let Place::Segment { g, .. } = closest(Interpolation::Parabolic, &bowl, None, [2.0, 2.0]).place else { panic!() };
     assert!(g < 0.0, "{g}");

@@ -1,4 +1,4 @@
-//! What the closest point of a slide line costs per slave point, for short and for long lines.
+//! The cost of the closest point of a slide line per slave point, for short and for long lines.
 //!
 //! `cargo test --release --test all slide_line_scaling:: -- --ignored --nocapture`
 
@@ -15,7 +15,7 @@ const LINES: [(Interpolation, bool); 4] = [
     (Interpolation::Parabolic, true),
 ];
 const SLAVES: u32 = 2_000;
-/// A batch is short, so that most of them are not interrupted by whatever else the machine does.
+/// A batch is short, so that most batches are not interrupted by other activity of the machine.
 const BATCH: usize = 50;
 const ROUNDS: usize = 801;
 
@@ -29,7 +29,7 @@ fn bumpy(kind: Interpolation, segments: u32, smoothed: bool) -> PlacedLine {
     line.place(&Nodes::new((0..count).map(node)).unwrap()).unwrap()
 }
 
-/// Slave points half a segment above the line, spread over all of it.
+/// Slave points half a segment above the line, distributed over all of it.
 fn slaves(segments: u32) -> Vec<Vector2<f64>> {
     let share = |k: u32| f64::from(k.wrapping_mul(2_654_435_769)) / f64::from(u32::MAX);
     (0..SLAVES).map(|k| Vector2::new(share(k) * f64::from(segments), 0.75)).collect()
@@ -59,7 +59,7 @@ fn slide_line_scaling() {
     for (kind, smoothed) in LINES {
         let benches = SEGMENTS.map(|segments| (bumpy(kind, segments, smoothed), slaves(segments)));
         let mut times = SEGMENTS.map(|_| Vec::new());
-        // Interleaved, so that a change of the machine's speed falls on all alike.
+        // Interleaved, so that a change of the machine's speed affects all equally.
         for round in 0..ROUNDS {
             for ((line, slaves), times) in benches.iter().zip(&mut times) {
                 let batch = slaves.chunks(BATCH).nth(round % (slaves.len() / BATCH)).unwrap();

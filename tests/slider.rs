@@ -1,4 +1,4 @@
-//! SLIDER as a program uses it: the typed API, both routes, the pivots, second derivatives, and any input at all.
+//! SLIDER as a program uses it: the typed API, both routes, the pivots, second derivatives, and arbitrary input.
 
 #[path = "../xtask/src/studies/routes.rs"]
 mod routes;
@@ -21,7 +21,7 @@ use routes::Setting;
 
 const AXES: [Vector3<f64>; 3] = [Vector3::new(1.0, 0.0, 0.0), Vector3::new(0.0, 1.0, 0.0), Vector3::new(0.0, 0.0, 1.0)];
 
-/// Distances of n from ±i at which t1 and t2 turn ever faster.
+/// Distances of n from ±i at which t1 and t2 rotate increasingly fast.
 const TILTS: [f64; 4] = [1e-16, 1e-12, 1e-8, 1e-4];
 
 fn sampled<F: Proved>(points: usize) -> Vec<F::Inputs<f64>> {
@@ -107,7 +107,7 @@ fn coefficients_are_the_derivative_of_the_elimination() {
         for (row, gradient) in [rows.xmi, rows.xmj].into_iter().enumerate() {
             let gradient = gradient.components().into_iter().map(Octuple::to_f64);
             for (found, expected) in matrix.row(row).iter().zip(gradient) {
-                // m is on the line to rounding; its share of the way is exact to rounding of the coordinates.
+                // m is on the line to within rounding; its fraction of the line is accurate to the rounding of the coordinates.
                 let size = 1.0 + (xm.amax() + x1.amax() + xn.amax()) / (xn - x1).amax();
                 assert!((found - expected).abs() < 1e-14 * size, "{found} {expected} {size}");
             }
@@ -128,7 +128,7 @@ fn all_finite<const R: usize, const C: usize>(result: Result<SMatrix<f64, R, C>,
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(2000))]
 
-    /// Whatever the input: a finite result or an error, and no panic.
+    /// For every input: a finite result or an error, and no panic.
     #[test]
     fn no_input_panics(
         x1 in any3(), xn in any3(), xm in any3(), dx1 in any3(), dxn in any3(), dxm in any3(), number in common::anything(),
@@ -164,7 +164,7 @@ proptest! {
         }
     }
 
-    /// The line itself is never the trouble: every finite pair of different nodes makes a slider.
+    /// The line itself never causes an error: every finite pair of distinct nodes makes a slider.
     #[test]
     fn any_two_nodes_make_a_line(x1 in prop::array::uniform3(common::signed()), xn in prop::array::uniform3(common::signed())) {
         let (x1, xn) = (Vector3::from(x1), Vector3::from(xn));
@@ -178,14 +178,14 @@ proptest! {
 
 // ---- both routes
 
-/// A line with m on it at a share of the way, and increments: what both routes are functions of, on the line.
+/// A line with m on it at a fraction of the line, and increments: the variables of both routes, on the line.
 fn on_the_line<D: Scalar>(v: &SVector<D, 14>) -> KeptIncrement<D> {
     let at = |k: usize| v.fixed_rows::<3>(k).into_owned();
     let (x1, xn) = (at(0), at(3));
     KeptIncrement { x1, xn, xm: x1 + (xn - x1) * v[12], dx1: at(6), dxn: at(9), dxmk: v[13] }
 }
 
-/// Value and gradient of both outputs of a route with respect to line, share and increments.
+/// Value and gradient of both outputs of a route with respect to line, fraction and increments.
 fn differentiated<T: Scalar>(
     v: &SVector<T, 14>,
     route: impl Fn(&KeptIncrement<DualSVec<T, 14>>) -> [DualSVec<T, 14>; 2],
@@ -199,7 +199,7 @@ fn differentiated<T: Scalar>(
     route(&on_the_line(&seeded)).into_iter().flat_map(parts).collect()
 }
 
-/// Values and derivatives of the increments and of the place, by both routes.
+/// Values and derivatives of the increments and of the position, by both routes.
 fn both_routes<T: Scalar>(v: &SVector<T, 14>) -> [(Vec<T>, Vec<T>); 2] {
     let kept = |i: &KeptIncrement<DualSVec<T, 14>>| {
         let k = Pivots::new(&i.x1, &i.xn).k;
@@ -219,7 +219,7 @@ fn both_routes<T: Scalar>(v: &SVector<T, 14>) -> [(Vec<T>, Vec<T>); 2] {
     ]
 }
 
-/// Lines and motions of no special kind, with numbers of about one.
+/// Arbitrary lines and motions, with numbers of about one.
 fn ordinary(points: usize) -> impl Iterator<Item = SVector<f64, 14>> {
     let scene = |tilt: f64, share: f64| Setting { tilt, share, ..Setting::default() }.scenes();
     let all = [0.25, 0.5, 1.0, 2.0, 4.0].into_iter().flat_map(move |tilt| scene(tilt, 0.5));
@@ -311,7 +311,7 @@ fn near_the_x_axis_eta_is_at_most_8() {
             for i in setting.scenes().into_iter().step_by(3) {
                 let KeptIncrement { x1, xn, xm, dx1, dxn, dxmk } = i;
                 if xn.yz() == x1.yz() {
-                    continue; // The offset has swallowed the tilt.
+                    continue; // The tilt is lost in the rounding of the offset.
                 }
                 let k = Pivots::new(&x1, &xn).k;
                 let dxm = (dx1 + dxn) * 0.5 + AXES[k] * dxmk;
@@ -357,7 +357,7 @@ fn at_the_x_axis_directions_jump_and_what_they_constrain_does_not() {
 
 // ---- second derivatives
 
-/// The constraint along a motion, at a time.
+/// The nodes along a motion, at a time.
 fn moved<D: Scalar>(i: &MovingNodes<D>, time: D) -> Nodes<D> {
     Nodes { x1: i.x1 + i.dx1 * time, xn: i.xn + i.dxn * time, xm: i.xm + i.dxm * time }
 }
@@ -373,7 +373,7 @@ where
     [g1, g2].map(|g| [g.re, g.v1, g.v2])
 }
 
-/// First and second derivative by differences of fourth order, in 237 bits.
+/// First and second derivatives by differences of fourth order, in 237 bits.
 fn by_differences(i: &MovingNodes<Octuple>) -> [[Octuple; 2]; 2] {
     let h = Octuple::from(1e-12);
     let at = |steps: f64| {
@@ -405,7 +405,7 @@ fn second_derivatives_of_the_constraint_agree_with_differences() {
         let typed = Slider::new(x1, xn).unwrap().variations(xm, &motion).unwrap();
         let typed =
             [(typed.value.g1, typed.first.g1, typed.second.g1), (typed.value.g2, typed.first.g2, typed.second.g2)];
-        // t1 and t2 turn at up to the motion over the distance of the line from the x axis.
+        // t1 and t2 rotate by at most the motion divided by the distance of the line from the x axis.
         let h = (xn - x1).yz().norm();
         let turning = 0.1 / h;
         for q in 0..2 {

@@ -1,9 +1,9 @@
-//! SLIDER: which coordinates are eliminated, and which one is kept.
+//! SLIDER: the choice of the eliminated coordinates, and of the kept one.
 
 use jointproof::connector::slider::{Pivots, Pivots2d, Slider, Slider2d};
 use nalgebra::{Vector2, Vector3};
 
-/// Lines through a grid on the faces of a cube, in every direction, none of them special.
+/// Lines through a grid on the faces of a cube, in every direction, none of them in a special position.
 fn cube() -> impl Iterator<Item = Vector3<f64>> {
     let steps = || (0..122).map(|k| f64::from(2 * k - 121) / 121.0);
     let faces = (0..3).flat_map(move |axis| steps().flat_map(move |u| steps().map(move |v| (axis, u, v))));
@@ -16,7 +16,7 @@ fn cube() -> impl Iterator<Item = Vector3<f64>> {
     })
 }
 
-/// The direction in which a rule keeps the smallest |n_k|: the best of a grid, refined by ever smaller steps.
+/// The least |n_k| that a rule keeps, and its direction: the best on a grid, refined by ever smaller steps.
 fn least(rule: impl Fn(&Vector3<f64>, &Vector3<f64>) -> Pivots) -> (f64, Vector3<f64>) {
     let kept = |d: &Vector3<f64>| d[rule(&Vector3::zeros(), d).k].abs() / d.norm();
     let mut best = cube().min_by(|a, b| kept(a).total_cmp(&kept(b))).unwrap();
@@ -44,7 +44,7 @@ fn the_kept_axis_is_never_nearly_across_the_line() {
     assert!((Pivots::LEAST_OF_LARGEST * 3.0_f64.sqrt() - 1.0).abs() < 2e-16);
 }
 
-/// The rule as documented: i has the largest |t1|, j of the others the larger |t2|; where rounding decides, either will do.
+/// The rule as documented: i has the largest |t1|, j of the others the larger |t2|; if rounding decides, either is accepted.
 #[test]
 fn the_pivots_are_those_of_t1_and_t2() {
     for d in cube().step_by(7) {
@@ -67,11 +67,11 @@ fn at_a_tie_plane_and_space_keep_different_axes() {
             (Slider2d::new(Vector2::zeros(), plane).unwrap(), Slider::new(Vector3::zeros(), space).unwrap());
         assert_eq!(plane.pivots(), Pivots2d { i: 1, k: 0 });
         assert_eq!(space.pivots(), Pivots { i: 2, j: 0, k: 1 });
-        // Both put m on the same line, each by the coordinate that it keeps.
+        // Both move m onto the same line, each by the coordinate that it keeps.
         assert_eq!(plane.place(Vector2::new(0.5 * x, 7.0)).unwrap(), Vector2::new(0.5 * x, 0.5 * y));
         assert_eq!(space.place(Vector3::new(7.0, 0.5 * y, 7.0)).unwrap(), Vector3::new(0.5 * x, 0.5 * y, 0.0));
     }
-    // One ulp beside the tie they agree.
+    // One ulp next to the tie they agree.
     let d = Vector2::new(1.0_f64.next_up(), 1.0);
     assert_eq!((Pivots2d::new(&Vector2::zeros(), &d).k, Pivots::new(&Vector3::zeros(), &d.push(0.0)).k), (0, 0));
 }

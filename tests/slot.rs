@@ -1,4 +1,4 @@
-//! SLOT as a program uses it: every method says what the documented formula says, in space and in the plane.
+//! SLOT as a program uses it: every method gives the result of the documented formula, in space and in the plane.
 
 use jointproof::catalog;
 use jointproof::connector::slot::{Gaps, Pose, Pose2d, Slot, Slot2d};
@@ -6,12 +6,12 @@ use jointproof::element::frame::{PlaneTriad, Triad};
 use jointproof::formula::Fields;
 use nalgebra::{Vector2, Vector3};
 
-/// What the catalog's formula of this identifier makes of these inputs.
+/// The outputs of the catalog's formula with this identifier for these inputs.
 fn by_formula(id: &str, inputs: &[&[f64]]) -> Vec<f64> {
     catalog::find(id).unwrap().value(&inputs.concat()).unwrap()
 }
 
-/// No axis along another one's place, no coordinate 0.
+/// No axis coincides with a global axis, and no coordinate is 0.
 fn triad() -> Triad {
     let (e1, e2) = (Vector3::new(2.0, 3.0, 6.0) / 7.0, Vector3::new(3.0, -6.0, 2.0) / 7.0);
     Triad::new(e1, e2, e1.cross(&e2)).unwrap()
@@ -74,7 +74,7 @@ fn a_stop_that_is_missing_is_infinitely_far() {
     assert_eq!(gaps(both), Some(Gaps { gap_min: x + 9.0, gap_max: 8.0 - x }));
     assert_eq!(gaps(slot.with_lower_stop(-9.0).unwrap()), Some(Gaps { gap_min: x + 9.0, gap_max: far }));
     assert_eq!(gaps(slot.with_upper_stop(8.0).unwrap()), Some(Gaps { gap_min: far, gap_max: 8.0 - x }));
-    // One that is given again leaves the other as it was.
+    // Setting one stop again leaves the other unchanged.
     assert_eq!(gaps(both.with_lower_stop(-7.0).unwrap()), Some(Gaps { gap_min: x + 7.0, gap_max: 8.0 - x }));
     assert_eq!(gaps(both.with_upper_stop(6.0).unwrap()), Some(Gaps { gap_min: x + 9.0, gap_max: 6.0 - x }));
 }

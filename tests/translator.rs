@@ -63,7 +63,7 @@ fn it_is_slot_and_align_assembled() {
     assert_eq!(translator.gaps(&now).unwrap(), None);
 }
 
-/// What the catalog's formula of this identifier makes of these inputs.
+/// The outputs of the catalog's formula with this identifier for these inputs.
 fn by_formula(id: &str, inputs: &[f64]) -> Vec<f64> {
     catalog::find(id).unwrap().value(inputs).unwrap()
 }
@@ -281,7 +281,7 @@ fn a_start_near_a_right_angle_is_refused_with_its_condition_number() {
     assert!(said.contains("(89.900°), where the angles have the condition number 1.146e3; allowed is"), "{said}");
 }
 
-/// At the start, the derivative by a spin of b is the triad of a, wherever b stands.
+/// At the start, the derivative with respect to a spin of b is the triad of a, for every orientation of b.
 #[test]
 fn angles_from_the_start_are_regular_everywhere() {
     let a = triad(0.3, -0.4, 0.5);
@@ -299,13 +299,13 @@ fn angles_from_the_start_are_regular_everywhere() {
             assert!((spin - axis).norm() < 1e-15, "{beta}: {spin} is not {axis}");
         }
         assert!([residuals.ur1, residuals.ur2, residuals.ur3].iter().all(|u| u.abs() < 1e-15));
-        // Turned since about the axes of a by three turns, it reads those.
+        // After three rotations about the axes of a since the start, it returns these angles.
         let moved = at(turned(&axes, &rotation(0.1, -0.2, 0.3)));
         let found = align.constraint(&a, &moved).unwrap();
         for (found, expected) in [(found.ur1, 0.1), (found.ur2, -0.2), (found.ur3, 0.3)] {
             assert!((found - expected).abs() < 1e-15, "{beta}: {found} is not {expected}");
         }
-        // There the derivative is that of differences, by spins of either node.
+        // There the derivative is that of differences, with respect to spins of either node.
         let rows = align.constraint_jacobian(&a, &moved).unwrap().1;
         let by_spins = [rows.ur1, rows.ur2, rows.ur3].map(|row| Triads::from((&a, &moved)).moments(&row));
         let read = |a: &Triad, b: &Triad| {

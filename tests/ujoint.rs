@@ -1,4 +1,4 @@
-//! UJOINT as a program uses it, what it rejects, and what its derivatives do at ordinary and at extreme positions.
+//! UJOINT as a program uses it, what it rejects, and its derivatives at ordinary and at extreme positions.
 
 use crate::common;
 use jointproof::connector::join::Join;
@@ -21,7 +21,7 @@ fn triad(alpha: f64, beta: f64, gamma: f64) -> Triad {
     Triad::new(e1, e2, e3).unwrap()
 }
 
-/// Node b off its place and the cross out of its right angle.
+/// Node b displaced from its initial position, and the cross not at a right angle.
 fn pose() -> Pose {
     Pose {
         triad_a: triad(0.3, -0.4, 0.5),
@@ -63,7 +63,7 @@ fn components(vectors: &[Vector3<f64>]) -> Vec<f64> {
     vectors.iter().flat_map(|v| v.iter().copied()).collect()
 }
 
-/// What the catalog's formula of this identifier makes of these inputs.
+/// The outputs of the catalog's formula with this identifier for these inputs.
 fn by_formula(id: &str, inputs: &[&[f64]]) -> Vec<f64> {
     catalog::find(id).unwrap().value(&inputs.concat()).unwrap()
 }
@@ -127,14 +127,14 @@ struct Motion {
 }
 
 impl Motion {
-    /// By how much a residual changes: every vector of a node turns with it, δe = δθ × e.
+    /// The change of a residual: every vector of a node rotates with it, δe = δθ × e.
     fn of(&self, pose: &Pose, row: &Gradient) -> f64 {
         let [on_a, on_b] = Triads::from((&pose.triad_a, &pose.triad_b)).moments(&row.triads);
         row.xa.dot(&self.dxa) + row.xb.dot(&self.dxb) + on_a.dot(&self.spin_a) + on_b.dot(&self.spin_b)
     }
 }
 
-/// Twelve virtual motions that span all.
+/// Twelve virtual motions that span all motions.
 fn motions() -> impl Iterator<Item = Motion> {
     (0..12).map(|k| {
         let v = |first: usize| Vector3::from_fn(|row, _| if first + row == k { 1.0 } else { 0.0 });
@@ -222,11 +222,11 @@ fn gimbal_lock_is_rejected_at_the_start_and_later() {
     assert_eq!(joint.constraint(&locked).unwrap().g_rot, 1.0, "the residual itself is defined");
 }
 
-/// At every quarter turn, on and off the axes, with no load, each load alone and all: of ordinary and of extreme size.
+/// At every quarter turn, on and off the axes, with no load, each load alone and all together: of ordinary and of extreme size.
 fn positions_and_loads() -> Vec<JointLoads<f64>> {
     let mut all = Vec::new();
     for [e1a, e2a, e3a] in [Triad::global(), triad(0.3, -0.4, 0.5)].map(|t| [t.e1(), t.e2(), t.e3()]) {
-        // α = 0, ±90°, ±180° and between.
+        // α = 0, ±90°, ±180° and in between.
         for e3b in [e3a, -e2a, e2a, -e3a, e3a * 0.8 - e2a * 0.6] {
             for size in [1e-150, 1.0, 1e150] {
                 let alone = |k: usize| std::array::from_fn(|load| if load == k { size } else { 0.0 });
@@ -277,14 +277,14 @@ fn a_parameter_of_zero_drops_its_term_and_a_small_one_does_not() {
     let (neither, by) = moments(0.0, 0.0);
     assert_eq!((by.mc1.ls, by.mc3.ls), (0.0, 0.0));
     assert_eq!(moments(1e-300, 0.0).0, neither);
-    // In Ra the moments are straight lines, which do not bend where the axial forces have no lever.
+    // The moments are linear in Ra, without a kink at Ra = 0, where the axial forces have no lever.
     let (lever, there) = (0.5, moments(0.5, 0.0).0);
     assert_eq!((neither.mc1 + by.mc1.ra * lever, neither.mc3 + by.mc3.ra * lever), (there.mc1, there.mc3));
     assert!(by.mc1.ra > 0.0 && by.mc3.ra > 0.0);
     assert!(moments(0.0, 1e-3).0.mc1 > 1e3);
 }
 
-/// Whatever a program passes, the connector answers with numbers or with an error.
+/// Whatever a program passes, the connector returns numbers or an error.
 fn does_not_panic(
     x: [f64; 6],
     loads: [f64; 6],
@@ -324,7 +324,7 @@ fn does_not_panic(
     Ok(())
 }
 
-/// A stop that is not there, where everything else is 0 of either sign.
+/// A missing stop, with all other numbers 0 of either sign.
 #[test]
 fn a_stop_at_infinity_is_none() {
     let mut x = [0.0; 6];
@@ -335,7 +335,7 @@ fn a_stop_at_infinity_is_none() {
 }
 
 proptest! {
-    /// The formulas are tried so in `properties.rs`.
+    /// The formulas are tested in the same way in `properties.rs`.
     #[test]
     fn the_connector_does_not_panic(
         x in proptest::array::uniform6(common::anything()),

@@ -1,9 +1,9 @@
-//! One sign convention, proved: in every virtual motion the work of what a connector exerts on its two nodes is that of the
-//! constraint forces on the residuals, less that of the kinetic forces on the available motions.
+//! One sign convention, proved: in every virtual motion the work of a connector's forces on its two nodes equals that of the
+//! constraint forces on the residuals minus that of the kinetic forces on the available motions.
 //!
-//! Motions are translations and spins of both nodes, derivatives are automatic, in 237 bits. What acts on the nodes is put
-//! together here from the formulas and the convention alone: constraint forces act on b, kinetic ones on a, and their
-//! opposites, in equilibrium, on the other node.
+//! Motions are translations and spins of both nodes, derivatives are automatic, in 237 bits. The forces on the nodes are
+//! assembled here from the formulas and the convention only: constraint forces act on b, kinetic ones on a, and their opposites,
+//! in equilibrium, on the other node.
 
 use jointproof::Octuple;
 use jointproof::connector::align;
@@ -26,10 +26,10 @@ use proptest::test_runner::{RngAlgorithm, TestRng};
 type V = Vector3<Octuple>;
 type Moving = Dual<Octuple>;
 
-/// Far below what 237 bits resolve after a few operations on numbers of the size 1.
+/// Far below the resolution of 237 bits after a few operations on numbers of size 1.
 const TOLERANCE: f64 = 1e-66;
 
-/// A node: where it is, its triad, its virtual translation and spin.
+/// A node: its position, its triad, its virtual translation and spin.
 #[derive(Clone, Copy)]
 struct Node {
     x: V,
@@ -38,7 +38,7 @@ struct Node {
     spin: V,
 }
 
-/// What acts on a node.
+/// A force and a moment on a node.
 #[derive(Clone, Copy)]
 struct Action {
     force: V,
@@ -139,7 +139,7 @@ impl Numbers {
         self.vector().into()
     }
 
-    /// Both nodes anywhere, b turned against a by these angles, in any virtual motion.
+    /// Both nodes at arbitrary positions, b rotated relative to a by these angles, in an arbitrary virtual motion.
     fn pair(&mut self, angles: [Octuple; 3]) -> Pair {
         let global = [V::x(), V::y(), V::z()];
         let [p, q, r] = self.three();
@@ -150,7 +150,7 @@ impl Numbers {
         Pair { a: node(a), b: node(b) }
     }
 
-    /// As a joint is meant: the arms of the cross are perpendicular, β = 0.
+    /// A joint as designed: the arms of the cross are perpendicular, β = 0.
     fn cross(&mut self) -> Pair {
         let angles = [self.number(), Octuple::from(0.0), self.number()];
         self.pair(angles)
@@ -204,7 +204,7 @@ fn slot_in_the_plane() {
     }
 }
 
-/// Where the triads agree, the moments work on the three angles; anywhere, they do none where b turns with a.
+/// If the triads are equal, the moments work on the three angles; in general, they do no work if b rotates with a.
 #[test]
 fn align() {
     let mut numbers = Numbers::new();
@@ -267,7 +267,7 @@ fn join() {
     for _ in 0..POINTS {
         let angles = numbers.three();
         let (pair, [f1, f2, f3]) = (numbers.pair(angles), numbers.three());
-        // All three act on b: nothing is free.
+        // All three act on b: no direction is free.
         let (along, across) = pair.slot_forces([f1, f2, f3]);
         let p = pair.positions();
         let d0 = Vector3::from_element(Moving::from(0.0));
@@ -287,7 +287,7 @@ fn universal() {
         let g = universal::Constraint::eval(&Shafts { e1a: t.e1a, e3b: t.e3b, c0: Moving::from(0.0) }).g.eps;
         let [ur1, ur3] = pair.turns();
         equal(pair.work_on_b(V::zeros(), constraint), m2 * g);
-        // With the constraint kept: the arms of the cross stay perpendicular.
+        // With the constraint satisfied: the arms of the cross remain perpendicular.
         let mut kept = pair;
         let across = pair.a.triad[0].cross(&pair.b.triad[2]);
         let relative = kept.b.spin - kept.a.spin;
@@ -326,12 +326,12 @@ fn ujoint() {
 }
 
 impl Pair {
-    /// Nodes a and b exchanged, where the triad of b is this one.
+    /// Nodes a and b exchanged, with these vectors as the triads of b and of a.
     fn exchanged(&self, of_b: &[V; 3], of_a: &[V; 3]) -> Self {
         Self { a: Node { triad: *of_b, ..self.b }, b: Node { triad: *of_a, ..self.a } }
     }
 
-    /// How fast the five residuals of a TRANSLATOR change.
+    /// The rates of change of the five residuals of a TRANSLATOR.
     fn translator_rates(&self) -> [Octuple; 5] {
         let (t, zero) = (self.triads(), Moving::from(0.0));
         let g = translator::Constraint::eval(&translator::Placement {
@@ -352,7 +352,7 @@ impl Pair {
         [g.gy.eps, g.gz.eps, g.ur1.eps, g.ur2.eps, g.ur3.eps]
     }
 
-    /// How fast the four residuals of a UJOINT change.
+    /// The rates of change of the four residuals of a UJOINT.
     fn joint_rates(&self) -> [Octuple; 4] {
         let (t, zero) = (self.triads(), Moving::from(0.0));
         let (xa, xb, d0) = (self.a.position(), self.b.position(), Vector3::from_element(zero));
@@ -366,12 +366,12 @@ fn largest<const N: usize>(rates: [Octuple; N]) -> f64 {
     rates.into_iter().map(|rate| rate.to_f64().abs()).fold(0.0, f64::max)
 }
 
-/// What one order of the nodes allows, the other does; what one forbids, the other does.
+/// A motion that one order of the nodes allows, the other allows too; a motion that one forbids, the other forbids too.
 #[test]
 fn the_order_of_the_nodes_changes_no_enforcement() {
     let mut numbers = Numbers::new();
     for _ in 0..POINTS {
-        // b anywhere along the slot, aligned, carried along by a and slid along e1a: as it may.
+        // b anywhere along the slot, aligned, carried along by a and moved along e1a: an allowed motion.
         let mut free = numbers.pair([Octuple::from(0.0); 3]);
         let ([e1, ..], slide) = (free.a.triad, numbers.number());
         free.b.spin = free.a.spin;
@@ -386,7 +386,7 @@ fn the_order_of_the_nodes_changes_no_enforcement() {
             assert!(gy > 1e-9 && (ur3 - 0.5).abs() < TOLERANCE, "{gy} {ur3}");
         }
 
-        // b at a's place, turned about both arms of the cross: as it may.
+        // b at the position of a, rotated about both arms of the cross: an allowed motion.
         let mut free = numbers.cross();
         let ([e1a, ..], [e1b, e2b, e3b]) = (free.a.triad, free.b.triad);
         (free.b.x, free.b.dx) = (free.a.x, free.a.dx);
@@ -404,7 +404,7 @@ fn the_order_of_the_nodes_changes_no_enforcement() {
     }
 }
 
-/// What friction transmits is positive where it resists positive motion: it takes up work, whichever way b moves.
+/// A friction force is positive if it resists positive motion: it absorbs work, in whichever direction b moves.
 #[test]
 fn friction_takes_up_work() {
     let mut numbers = Numbers::new();
@@ -412,7 +412,7 @@ fn friction_takes_up_work() {
         let angles = numbers.three();
         let pair = numbers.pair(angles);
         let motion = pair.slot_motion();
-        // The trial force follows the motion, and so does what is left of it.
+        // The trial force follows the motion, and so does the remaining force.
         let trial = jointproof::contact::coulomb::Trial {
             f_trial: motion * 1e3,
             mu: Octuple::from(0.3),

@@ -6,32 +6,32 @@ use crate::formula::{Field, Spec};
 use crate::toolkit::graph::{Extremes, Graph, NotRecorded, record_element};
 use crate::toolkit::verify::{ElementAudit, ElementFile, ElementSubject, Layout, Options, audit_element, golden_of};
 
-/// An element whose nodes, parameters and state are not known to the compiler; every [`ProvedElement`] is one by [`Erased`].
+/// An element whose types of nodes, parameters and state are erased; every [`ProvedElement`] is one by [`Erased`].
 pub trait AnyElement: Send + Sync {
-    /// What is said about it.
+    /// Its specification.
     fn spec(&self) -> Spec;
     /// Its degrees of freedom, forces, residuals, multipliers, parameters and state in order.
     fn layout(&self) -> Layout;
-    /// What it computes from, in order: nodes, multipliers, start, and, where it rubs, contact and state.
+    /// Its inputs in order: nodes, multipliers, start, and, with friction, contact and state.
     fn inputs(&self, rubs: bool) -> &'static [Field];
-    /// Its golden file, computed now.
+    /// Its golden file, computed anew.
     fn golden(&self) -> ElementFile;
-    /// Its audit, executed now.
+    /// Its audit, executed anew.
     fn audit(&self, options: &Options) -> ElementAudit;
-    /// What it does, written down: its results are those of [`value`](Self::value).
+    /// Its graph, whose results are those of [`value`](Self::value).
     ///
     /// # Errors
-    /// What in it cannot be written down.
+    /// The reason why the element cannot be recorded.
     fn graph(&self, rubs: bool, extremes: Extremes) -> Result<Graph, NotRecorded>;
-    /// Its results at components of the inputs in order: residuals, rows, forces, stiffness, derivative by the multipliers, each
-    /// matrix row by row, and, where it rubs, the state after.
+    /// Its results from components of the inputs in order: residuals, rows, forces, stiffness, derivative with respect to the
+    /// multipliers, each matrix row by row, and, with friction, the state after the step.
     ///
     /// # Errors
-    /// The input that is not valid, and where something overflows; [`Error::Components`] where their number is wrong.
+    /// The input that is not valid, or an overflow; [`Error::Components`] if the number of components is wrong.
     fn value(&self, components: &[f64], rubs: bool) -> Result<Vec<f64>, Error>;
 }
 
-/// An element without its types.
+/// An element with its types erased.
 #[derive(Clone, Copy, Debug)]
 pub struct Erased<E, const M: usize, const DOFS: usize>(pub E);
 

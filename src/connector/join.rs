@@ -3,8 +3,8 @@
 //! | | |
 //! |---|---|
 //! | frames | the triad e1a, e2a, e3a of node a; node b has none |
-//! | position | d = xb − xa in that triad: (e1a·d, e2a·d, e3a·d) = Rᵀ d, with R of the columns e1a, e2a, e3a |
-//! | zero position | where the analysis begins, d0, which is 0 where the nodes coincide |
+//! | position | d = xb − xa in that triad: (e1a·d, e2a·d, e3a·d) = Rᵀ d, where the columns of R are e1a, e2a, e3a |
+//! | zero position | the initial position d0, which is 0 if the nodes coincide |
 //! | signs | f1 e1a + f2 e2a + f3 e3a acts on b and its opposite on a |
 //!
 //! [`Join`] is what a program calls.

@@ -3,13 +3,13 @@
 //! | | |
 //! |---|---|
 //! | frames | the global axes i, j, k; the line has d = xn − x1, l = abs(d), n = d/l |
-//! | matrix | the columns t1, t2, n are orthonormal and right-handed (t1 × t2 = n): t1 = n × i made a unit vector, or n × k where n is along i; t2 = n × t1 |
-//! | place | node m stands at the share ξ = (xm − x1)·n/l of the way: 0 at node 1, 1 at node n |
+//! | matrix | the columns t1, t2, n are orthonormal and right-handed (t1 × t2 = n): t1 = n × i normalised, or n × k if n is along i; t2 = n × t1 |
+//! | position | node m is at the fraction ξ = (xm − x1)·n/l of the line: 0 at node 1, 1 at node n |
 //! | zero position | node m on the line: (xm − x1)·t1 = (xm − x1)·t2 = 0 |
-//! | signs | in the plane the distance g is positive to the left of the way from node 1 to node n |
+//! | signs | in the plane the distance g is positive to the left of the direction from node 1 to node n |
 //!
-//! Two of the three coordinates of m follow from the third; which two, [`Pivots`] says. The formulas take the direct
-//! route, by the ratios n_i/n_k. The [`documented`] route, through t1 and t2, is their definition, and equal to them.
+//! Two of the three coordinates of m follow from the third; [`Pivots`] determines which two. The formulas take the direct route,
+//! through the ratios n_i/n_k. The [`documented`] route, through t1 and t2, is their definition, and gives the same result.
 
 #![expect(clippy::inline_always, reason = "a call would write the coordinates to memory, and wait for them there")]
 

@@ -2,16 +2,16 @@
 //!
 //! | | |
 //! |---|---|
-//! | frames | the triad e1a, e2a, e3a of node a, orthonormal and right-handed, which turns with a; node b has none |
+//! | frames | the triad e1a, e2a, e3a of node a, orthonormal and right-handed, which rotates with a; node b has none |
 //! | position | d = xb − xa in that triad: x = e1a·d, y = e2a·d, z = e3a·d, that is (x, y, z) = Rᵀ d |
 //! | matrix | R has the columns e1a, e2a, e3a: `R[i][j]` is the i-th global component of e_(j+1)a |
-//! | zero position | where the analysis begins: x = x0, y = y0, z = z0 and u1 = 0, for any turn of a |
-//! | signs | u1 = x − x0 is positive where b has moved along e1a; f2 e2a + f3 e3a acts on b and its opposite on a; f1 is conjugate to u1, so that f1 e1a acts on a and its opposite on b; a turn is positive by the right-hand rule |
+//! | zero position | the initial position: x = x0, y = y0, z = z0 and u1 = 0, for any rotation of a |
+//! | signs | u1 = x − x0 is positive where b has moved along e1a; f2 e2a + f3 e3a acts on b and its opposite on a; f1 is conjugate to u1, so that f1 e1a acts on a and its opposite on b; rotations are positive by the right-hand rule |
 //!
 //! In the plane there is no third axis, no z and no f3.
 //!
-//! [`Slot`] and [`Slot2d`] are what a program calls; the formulas behind them stand in the two rooms
-//! below: positions, constraint and forces in one, contact force and friction in the other.
+//! [`Slot`] and [`Slot2d`] are what a program calls. Their formulas are in two modules: positions, constraint and forces in one,
+//! contact force and friction in the other.
 
 mod connector;
 pub(crate) mod element;

@@ -1,4 +1,4 @@
-//! What the audit of elements does not look at: terms in velocities, penalties, other unknowns, and the convergence of SLIDER.
+//! Checks beyond the audit of elements: terms in velocities, penalties, other unknowns, and the convergence of SLIDER.
 
 use super::slider::rows::{GeometricStiffness, SliderLoads};
 use super::slider::{self, SliderElement};
@@ -30,7 +30,7 @@ fn ujoint<D: Scalar>(contact: Option<UJointContact<D>>) -> Parameters<UJointElem
     Parameters { start: UJointStart { d0, c0: 0.0.into(), alpha0: 0.1.into(), gamma0: (-0.2).into() }, contact }
 }
 
-/// Two nodes apart, turned against each other and off the global axes.
+/// Two separate nodes, rotated relative to each other and to the global axes.
 fn nodes() -> Nodes<Octuple> {
     let exact = |m: Matrix3<f64>| [0, 1, 2].map(|k| m.column(k).map(Octuple::from));
     let a = rotation(0.3, -0.5, 0.7);
@@ -38,23 +38,23 @@ fn nodes() -> Nodes<Octuple> {
     Nodes::new([exact(a), exact(a * rotation(0.4, 0.2, -0.6))], [place(1.0, 2.0, 3.0), place(2.5, 2.25, 4.0)])
 }
 
-/// The nodes as they move.
+/// The nodes under a motion.
 fn moving(nodes: &Nodes<Octuple>, motion: &Motion) -> Nodes<Moving> {
     let triads = [nodes.a().map(|e| motion.of_a(e)), nodes.b().map(|e| motion.of_b(e))];
     Nodes::new(triads, motion.places([nodes.xa, nodes.xb]))
 }
 
-/// A vector, of which a component may grow.
+/// A vector with the derivative 1 in one component, if one is given.
 fn growing<const N: usize>(x: SVector<Octuple, N>, component: Option<usize>) -> SVector<Moving, N> {
     SVector::from_fn(|k, _| Dual::new(x[k], Octuple::from(if component == Some(k) { 1.0 } else { 0.0 })))
 }
 
-/// The component of the part of so many that a degree of freedom is.
+/// The component of a degree of freedom within a part of `size` components, if it belongs to that part.
 fn within(degree: usize, part: usize, size: usize) -> Option<usize> {
     (degree / size == part).then_some(degree % size)
 }
 
-/// The nodes as they move with constant velocities, in the second order of time.
+/// The nodes moving with constant velocities, to second order in time.
 fn flying(nodes: &Nodes<Octuple>, velocities: &Forces<Octuple>) -> Nodes<Dual2<Octuple>> {
     let part = |k: usize| velocities.fixed_rows::<3>(k).into_owned();
     let place = |x: Vector3<Octuple>, v: Vector3<Octuple>| x.zip_map(&v, |x, v| Dual2::new(x, v, Octuple::from(0.0)));
@@ -69,7 +69,7 @@ fn flying(nodes: &Nodes<Octuple>, velocities: &Forces<Octuple>) -> Nodes<Dual2<O
     )
 }
 
-/// The velocity term against the second time derivative of the residuals.
+/// The difference between the velocity term and the second time derivative of the residuals.
 fn off_in_time<E, const M: usize>(
     still: &Parameters<E, Octuple, M>,
     flying_by: &Parameters<E, Dual2<Octuple>, M>,
@@ -114,7 +114,7 @@ fn with_penalties_the_stiffness_is_the_derivative_of_the_forces() {
     assert_eq!(found.multipliers, multipliers - penalties.component_mul(&residuals));
 }
 
-/// How far from the solution each step of Newton's method is: three nodes on springs, loaded, and held by SLIDER, with the
+/// The distance from the solution at each step of Newton's method: three loaded nodes on springs, held by SLIDER, with the
 /// derivative of its forces or with Σ λ ∂²g.
 fn errors_of_slider(with_its_own_derivative: bool) -> Vec<f64> {
     let rest = SVector::<f64, 9>::from([0.0, 0.0, 0.0, 4.0, 1.0, -1.0, 1.0, 0.5, 1.0]);
@@ -148,12 +148,13 @@ fn errors_of_slider(with_its_own_derivative: bool) -> Vec<f64> {
 fn slider_converges_quadratically_with_its_own_derivative() {
     let is_squared = |errors: &[f64], factor: f64| errors.windows(2).all(|e| e[1] < factor * e[0] * e[0] + 1e-14);
     assert!(is_squared(&errors_of_slider(true), 2.0), "{:?}", errors_of_slider(true));
-    // An error in the residual comes back a step later: two steps square it, not one.
+    // An error in the residual reappears one step later: it is squared in two steps, not in one.
     let errors = errors_of_slider(false);
     assert!(!is_squared(&errors, 100.0) && errors[8] < 1e-14, "{errors:?}");
 }
 
-/// Both nodes of a rubbing UJOINT as other unknowns turn them, and what it adds by these.
+/// The contribution of a UJOINT with friction, with nodes at these positions and rotated by these matrices, both functions of
+/// other unknowns.
 fn turned<D: Scalar<Leaf = Octuple>>(places: [Vector3<D>; 2], turns: [Matrix3<D>; 2]) -> Contribution<D, 4> {
     let cross = Cross { rp: 1.0, la: 2.0, ra: 0.5, ls: 4.0, mu: 0.25, mc1_int: 1.0, mc3_int: -2.0 };
     let contact = UJointContact::new(cross, [1e3, 0.125]).components();
@@ -164,7 +165,8 @@ fn turned<D: Scalar<Leaf = Octuple>>(places: [Vector3<D>; 2], turns: [Matrix3<D>
     ujoint(contact).contribution(&nodes, &multipliers, &UJointState::filled(D::zero())).0
 }
 
-/// How far the rows and the stiffness are from the derivatives of residuals and forces by these unknowns.
+/// The largest deviation of the rows and the stiffness from the derivatives of residuals and forces with respect to these
+/// unknowns.
 fn furthest_by<const DOFS: usize>(
     found: &Contribution<Octuple, 4, DOFS>,
     moved: impl Fn(usize) -> Contribution<Moving, 4, DOFS>,
@@ -192,7 +194,8 @@ fn by_rotation_vectors_it_is_its_own_derivative() {
     assert!(furthest_by(&found, moved) < 1e-60);
 }
 
-/// Rotation vectors are coordinates, so that the second derivative of λ·g by them is symmetric; by spins it is not.
+/// Rotation vectors are coordinates, so that the second derivative of λ·g with respect to them is symmetric; with respect to
+/// spins it is not.
 #[test]
 fn by_rotation_vectors_the_stiffness_without_friction_is_symmetric() {
     let psi = [[0.5, -1.0, 0.25], [1.5, 2.0, -1.0]].map(|x| Vector3::from(x).map(Octuple::from));
@@ -208,7 +211,7 @@ fn by_rotation_vectors_the_stiffness_without_friction_is_symmetric() {
     assert!(asymmetry(found.by_rotation_vectors(psi).stiffness) < 1e-60);
 }
 
-/// K + ½ \[m×\] in the blocks of own spins, and K elsewhere.
+/// K + ½ \[m×\] in the diagonal blocks of the spins, and K elsewhere.
 #[test]
 fn the_symmetric_stiffness_adds_half_of_the_moments() {
     let multipliers = SVector::from([3.0, -4.0, 2.0, -1.0, 0.5]).map(Octuple::from);
@@ -223,7 +226,7 @@ fn the_symmetric_stiffness_adds_half_of_the_moments() {
     assert!(off < 1e-60, "{off:e}");
 }
 
-/// The turn by a quaternion of any length.
+/// The rotation of a quaternion of any length.
 fn by_quaternion<D: Scalar>(q: &Vector4<D>) -> Matrix3<D> {
     let unit = q / q.dot(q).sqrt();
     from_euler(unit[0], &unit.fixed_rows::<3>(1).into_owned())
@@ -232,7 +235,7 @@ fn by_quaternion<D: Scalar>(q: &Vector4<D>) -> Matrix3<D> {
 #[test]
 fn by_euler_parameters_it_is_its_own_derivative() {
     let places = [[1.0, 2.0, 3.0], [2.5, 2.25, 4.0]].map(|x| Vector3::from(x).map(Octuple::from));
-    // Of whole numbers of a seventh, and of a ninth.
+    // Unit quaternions of multiples of 1/7 and of 1/9.
     let parameters = [([2.0, 3.0, 6.0, 0.0], 7.0), ([4.0, -4.0, 7.0, 0.0], 9.0)]
         .map(|(q, length)| Vector4::from(q).map(|x| Octuple::from(x) / Octuple::from(length)));
     let found = turned(places, parameters.map(|q| by_quaternion(&q))).by_euler_parameters(parameters);

@@ -1,23 +1,23 @@
-//! UJOINT: a universal joint. Node b is held at its place relative to a, and e1a stays across e3b.
+//! UJOINT: a universal joint. Node b is held at its initial position relative to a, and e1a stays perpendicular to e3b.
 //!
 //! | | |
 //! |---|---|
-//! | frames | the triads of both nodes; the axes of the cross are e1a, in the yoke of a, and e3b, in the yoke of b, and across both lies e_cross = e1a × e3b |
+//! | frames | the triads of both nodes; the axes of the cross are e1a, in the yoke of a, and e3b, in the yoke of b; normal to both is e_cross = e1a × e3b |
 //! | matrix | `R_ij = e_ia·e_jb` = R1(α) R2(β) R3(γ), written out in [`cardan`](crate::element::cardan); sin β = e1a·e3b stays 0 |
 //! | zero position | both triads equal: α = γ = 0, the shafts in line; then e_cross = −e2a |
-//! | signs | as [`join`](crate::connector::join) and [`universal`](crate::connector::universal): α about e1a and γ about e3b by the right-hand rule; f1, f2, f3 along a's triad and m2 about the line of nodes act on b and their opposites on a; m1 e1a + m3 e3b acts on a and its opposite on b |
+//! | signs | those of [`join`](crate::connector::join) and [`universal`](crate::connector::universal): α about e1a and γ about e3b by the right-hand rule; f1, f2, f3 along a's triad and m2 about the line of nodes act on b and their opposites on a; m1 e1a + m3 e3b acts on a and its opposite on b |
 //!
-//! Two rotations are free, and four hinges, one at each end of the cross, can rub. The documents' chain from the loads
-//! to friction is kept link by link, each its own formula:
+//! Two rotations are free, and the four hinges, one at each end of the cross, can have friction. The documents' chain from the
+//! loads to friction is kept link by link, each with its own formula:
 //!
-//! | room | formulas |
+//! | module | formulas |
 //! |---|---|
-//! | kinematics | the constraint, which is JOIN's and UNIVERSAL's, and the stops |
-//! | loads | reaction force, direction across the cross |
-//! | decomposition | the force along the axes of the cross and across them |
-//! | [`arm`] | how slender a cross arm is, and what share of a load that makes a hinge carry |
+//! | kinematics | the constraint, from JOIN and UNIVERSAL, and the stops |
+//! | loads | reaction force, direction normal to the cross |
+//! | decomposition | the force along the axes of the cross and normal to them |
+//! | [`arm`] | the slenderness of a cross arm, and the share of a load that a hinge carries because of it |
 //! | hinge | forces and moments on the hinges |
-//! | contact | contact moments, with their derivative by all 20 inputs |
+//! | contact | contact moments, with their derivatives with respect to all 20 inputs |
 //! | normal, friction | normal moments and yield functions |
 //!
 //! [`UJoint`] is what a program calls.

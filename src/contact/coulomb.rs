@@ -1,9 +1,9 @@
-//! Coulomb friction: when a contact sticks, and what it transmits when it slips.
+//! Coulomb friction: the condition of stick, and the force transmitted in slip.
 //!
-//! The normal force F_N and the friction coefficient μ are not negative. A tangential force has the sign of the motion that
-//! it resists: where f_trial is positive, so is what is transmitted, and the slip. It is conjugate to that motion: the force on the
-//! node that moves has the opposite sign. The yield function Φ = P − μ F_N is
-//! negative while the contact sticks and 0 while it slips; it is never positive in a state that holds.
+//! The normal force F_N and the friction coefficient μ are not negative. A tangential force has the sign of the motion that it
+//! resists: if f_trial is positive, so are the transmitted force and the slip. It is conjugate to that motion: the force on the
+//! moving node has the opposite sign. The yield function Φ = P − μ F_N is negative while the contact sticks and 0 while it slips;
+//! it is never positive in an admissible state.
 
 #[cfg(feature = "verify")]
 mod proof;
@@ -52,7 +52,7 @@ impl Formula for Yield {
 }
 
 fields! {
-    /// The force that would be transmitted if the contact stuck, and the friction parameters.
+    /// The trial force, which would be transmitted if the contact stuck, and the friction parameters.
     pub struct Trial<T> { f_trial: T = F_TRIAL, mu: T = MU, r#fn: T = FN }
 }
 fields! {
@@ -67,8 +67,8 @@ fields! {
 pub struct ReturnMap;
 
 impl<D: Scalar> Trial<D> {
-    /// Whether the contact sticks: |f_trial| < μ F_N, with the product not rounded. Rounding makes two numbers equal, but
-    /// never reverses them.
+    /// Whether the contact sticks: |f_trial| < μ F_N, with the product not rounded. Rounding can make two numbers equal, but
+    /// never reverses their order.
     #[inline]
     pub(crate) fn sticks(&self) -> bool {
         let (force, limit) = (abs(self.f_trial), self.mu * self.r#fn);

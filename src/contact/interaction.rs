@@ -1,8 +1,7 @@
 //! Contact pressure against overclosure, and contact damping.
 //!
-//! The overclosure h is the separation with the opposite sign: positive when the surfaces overlap, −h is the clearance,
-//! and h = 0 where they touch. Its rate v is positive while the surfaces approach. A pressure is positive when it pushes
-//! them apart.
+//! The overclosure h is the separation with the opposite sign: positive when the surfaces overlap, −h is the clearance, and h = 0
+//! where they touch. Its rate v is positive while the surfaces approach. A pressure is positive when it pushes them apart.
 
 #[cfg(feature = "verify")]
 mod proof;
@@ -66,11 +65,11 @@ fields! {
 pub struct PressureExponential;
 
 impl PressureExponential {
-    /// p/p0, and its derivative by s; `None` where nothing touches.
+    /// p/p0, and its derivative with respect to s; `None` without contact.
     ///
-    /// With q = h/c0 it is (1 + q)(1 + κ (e^q − 1)), κ = e/(e − 1), which a rounding of 1 + q does not disturb. Near the onset, where
-    /// the second factor vanishes, it is s (eˢ − 1)/(e − 1): there the sum h + c0 is exact. So it is s (1 + m) or s m, with m = κ (e^q − 1)
-    /// or (eˢ − 1)/(e − 1).
+    /// With q = h/c0, p/p0 is (1 + q)(1 + κ (e^q − 1)), κ = e/(e − 1), which is insensitive to the rounding of 1 + q. Near the
+    /// onset, where the second factor vanishes, it is computed as s (eˢ − 1)/(e − 1): there the sum h + c0 is exact. Hence the
+    /// form is s (1 + m) or s m, with m = κ (e^q − 1) or (eˢ − 1)/(e − 1).
     #[inline(always)]
     #[expect(clippy::inline_always, reason = "a call would write the results to memory, and wait for them there")]
     fn rise<D: Scalar>(i: &ExponentialContact<D>) -> Option<[D; 2]> {
@@ -155,7 +154,7 @@ fields! {
 #[derive(Clone, Copy, Debug)]
 pub struct Damping;
 
-/// How far the damping coefficient has risen.
+/// The zones of the damping coefficient.
 enum Zone {
     None,
     Ramp,
@@ -180,7 +179,7 @@ impl Formula for Damping {
     const SPEC: Spec = Spec::new("interaction.damping", "Viscous contact damping", SOURCE)
         .equation(r"p = v \begin{cases} \mu_0 & -h \le \eta c_0 \\ \mu_0\,\dfrac{c_0 + h}{(1-\eta)\,c_0} & \eta c_0 < -h < c_0 \\ 0 & \text{otherwise}\end{cases}")
         .eta(2.0, 2.0)
-        // Beyond, 237 bits do not hold c0 + h, by which it is judged.
+        // Beyond this scale 237 bits cannot represent c0 + h, which the check needs.
         .scale(1e40)
         .finite(Finite::Between);
     type Inputs<T: Component> = DampingContact<T>;

@@ -1,9 +1,9 @@
 //! ISL21A and ISL22A: the axisymmetric elements that slide along a slide line.
 //!
 //! The elements are the slave surface, a [slide line](crate::contact::slide_line) is the master surface. [`Contact`] associates a
-//! set of elements with a line and with an [`Interaction`]; it takes the places of the nodes, increment by increment, and
-//! gives at every slave node the separation E11, the slip E12, the pressure S11 and the shear stress S12, the forces on
-//! slave and master nodes, and the torque that the line can transmit. [`TorquePrint`] tabulates that.
+//! set of elements with a line and with an [`Interaction`]; from the positions of the nodes it computes, increment by increment,
+//! at every slave node the separation E11, the slip E12, the pressure S11 and the shear stress S12, the forces on slave and
+//! master nodes, and the torque that the line can transmit. [`TorquePrint`] tabulates the torque.
 //!
 //! | sign | |
 //! |---|---|
@@ -12,7 +12,7 @@
 //! | S11 | positive when it pushes the slave along n |
 //! | S12 | positive when it resists positive slip, pushing the slave along −t |
 //!
-//! Forces and areas are those of the whole circumference. All is in the axes (r, z), in any consistent units.
+//! Forces and areas are those of the whole circumference. All quantities are in the axes (r, z), in any consistent units.
 //!
 //! ```
 //! use jointproof::contact::isl::{Contact, ElementSet, Increment, Interaction, IslElement};

@@ -3,13 +3,13 @@
 //! | | |
 //! |---|---|
 //! | frames | the plane (r, z), with s = (0, 0, 1) out of it; the tangent t follows the sequence of the nodes, the normal is n = s × t = (−t₂, t₁) |
-//! | matrix | the columns t, n turn (1, 0), (0, 1) to the left by the angle of t: [[t₁, −t₂], [t₂, t₁]] |
-//! | place | g ∈ [−1, 1] on a segment, from its first node to its last; t ∈ [0, 1] on a smoothed corner |
+//! | matrix | the columns t, n rotate (1, 0), (0, 1) to the left by the angle of t: [[t₁, −t₂], [t₂, t₁]] |
+//! | position | g ∈ [−1, 1] on a segment, from its first node to its last; t ∈ [0, 1] on a smoothed corner |
 //! | zero position | the slave point on the line: E11 = 0; no slip since the start: E12 = 0 |
 //! | signs | n points to the side of the slave, so E11 = (xs − X)·n is positive when open; slip is positive where the slave moves along t |
 //!
-//! One room per topic: the local basis, points of the curves, the closest point, slip, contact area and torque; and the
-//! line as a model states it, [`SlideLine`], with the closest point of the whole of it. The elements on it are in
+//! One module per topic: the local basis, points of the curves, the closest point, slip, contact area and torque; and the line as
+//! defined in a model, [`SlideLine`], with the closest point of the whole line. The elements on it are in
 //! [`isl`](crate::contact::isl).
 
 mod area;

@@ -1,9 +1,9 @@
 //! ALIGN as an element: three residuals, the Cardan angles of b relative to a.
 //!
-//! They change with the difference of both spins alone: the rows by the spin of a are those by the spin of b with the other
-//! sign, and so are the moments. α is the angle of e3b between e2a and e3a, γ that of e1a between e1b and e2b, so that the
-//! rows are the derivatives of two such angles and of an arc sine. Where β is ±90° there are none.
-//! The geometric stiffness depends on both spins by their difference too: one block, its transpose and their opposites.
+//! They depend only on the difference of both spins: the rows for the spin of a are the opposites of those for the spin of b, and
+//! so are the moments. α is the angle of e3b between e2a and e3a, γ that of e1a between e1b and e2b, so that the rows are the
+//! derivatives of two such angles and of an arc sine. At β = ±90° they do not exist. The geometric stiffness, too, depends on the
+//! difference of both spins: it consists of one block, its transpose and their opposites.
 
 #![expect(clippy::inline_always, reason = "the compiler sees the indices, and where the zeros are")]
 
@@ -23,18 +23,19 @@ use crate::formula::{Component, Document, Finite, Formula, Given, Source, Spec};
 use crate::number::scalar::Scalar;
 use nalgebra::{Matrix3, Vector3};
 
-/// What all of them are derived from.
+/// The source of these formulas.
 const OURS: Source = Document::TRANSLATOR
     .ours("Description", "the page of ALIGN was not given; these are derivatives of the angles that are held");
 
 fields! {
-    /// The derivatives of the three residuals by the spin of b; by that of a they are the opposite.
+    /// The derivatives of the three residuals with respect to the spin of b; those with respect to the spin of a are the
+    /// opposite.
     pub struct AlignRows<T> {
         ur1_tb: Vector3<T> = UR1_TB, ur2_tb: Vector3<T> = UR2_TB, ur3_tb: Vector3<T> = UR3_TB,
     }
 }
 
-/// What the derivatives are made of.
+/// The quantities from which the derivatives are formed.
 pub(super) struct Turns<D> {
     e1a: Vector3<D>,
     e3b: Vector3<D>,
@@ -63,19 +64,19 @@ impl<D: Scalar> Turns<D> {
         }
     }
 
-    /// Along the line of nodes.
+    /// A vector along the line of nodes.
     #[inline(always)]
     fn node_line(&self) -> Vector3<D> {
         self.e3b.cross(&self.e1a)
     }
 
-    /// The derivatives of the three angles by the spin of b.
+    /// The derivatives of the three angles with respect to the spin of b.
     #[inline(always)]
     pub(super) fn rows(&self) -> [Vector3<D>; 3] {
         [self.first.row(), self.node_line() * self.slope, -self.third.row()]
     }
 
-    /// How each row changes with the spin of b.
+    /// The derivative of each row with respect to the spin of b.
     #[inline(always)]
     fn curvatures(&self) -> [Matrix3<D>; 3] {
         let n = self.node_line();
@@ -83,14 +84,14 @@ impl<D: Scalar> Turns<D> {
         [self.first.curvature(), second, self.third.curvature().transpose()]
     }
 
-    /// The derivative of the slope by sin β.
+    /// The derivative of the slope with respect to sin β.
     #[inline(always)]
     fn by_sine(&self) -> D {
         self.sine * self.slope * self.square
     }
 }
 
-/// Rejects what has no angles, and β = ±90°, where they have no derivative.
+/// Rejects triads without Cardan angles, and β = ±90°, where the angles have no derivative.
 #[inline]
 fn check<D: Scalar>(i: &Triads<D>) -> Result<(), Error> {
     CardanAngles::validate(i)?;
@@ -103,15 +104,15 @@ fn check<D: Scalar>(i: &Triads<D>) -> Result<(), Error> {
 
 /// The rows of ALIGN.
 ///
-/// On orthonormal triads a turn of b about e1a changes α alone, one about the line of nodes β, one about e3b γ.
+/// On orthonormal triads a rotation of b about e1a changes only α, one about the line of nodes only β, one about e3b only γ.
 #[derive(Clone, Copy, Debug)]
 pub struct Rows;
 
 impl Formula for Rows {
     const SPEC: Spec = Spec::new("align.rows", "Rows of ALIGN", OURS)
         .equation(r"\begin{aligned} S_1 &= \mathbf{e}_{2a}\cdot\mathbf{e}_{3b}, & C_1 &= \mathbf{e}_{3a}\cdot\mathbf{e}_{3b}, & \mathbf{u}_1 &= \frac{S_1\,\mathbf{e}_{3a} - C_1\,\mathbf{e}_{2a}}{S_1^2+C_1^2}, & \mathbf{u}_{r1,\theta b} &= \mathbf{e}_{3b}\times\mathbf{u}_1,\\ S_3 &= \mathbf{e}_{1a}\cdot\mathbf{e}_{2b}, & C_3 &= \mathbf{e}_{1a}\cdot\mathbf{e}_{1b}, & \mathbf{u}_3 &= \frac{S_3\,\mathbf{e}_{1b} - C_3\,\mathbf{e}_{2b}}{S_3^2+C_3^2}, & \mathbf{u}_{r3,\theta b} &= \mathbf{u}_3\times\mathbf{e}_{1a} \end{aligned},\quad \mathbf{u}_{r2,\theta b} = \frac{\mathbf{e}_{3b}\times\mathbf{e}_{1a}}{\sqrt{1-(\mathbf{e}_{1a}\cdot\mathbf{e}_{3b})^2}}")
-        // An entry is a sum of terms that may cancel, and what inputs do to them with them; then their roundings remain: in the
-        // rows at 45 000 random points up to 66. Normwise it is 7.
+        // An entry is a sum of terms that may cancel, and so may their sensitivities to the inputs; then their rounding errors
+        // remain: in the rows up to 66 at 45 000 random points. Normwise it is 7.
         .eta_of_value(8.0)
         .normwise_of_value(4.0)
         .scale(1e250)
@@ -132,7 +133,7 @@ impl Formula for Rows {
 }
 
 fields! {
-    /// How both nodes are turned, and the three multipliers.
+    /// The triads of both nodes, and the three multipliers.
     pub struct AlignLoads<T> {
         e1a: Vector3<T> = E1A, e2a: Vector3<T> = E2A, e3a: Vector3<T> = E3A,
         e1b: Vector3<T> = E1B, e2b: Vector3<T> = E2B, e3b: Vector3<T> = E3B,
@@ -141,7 +142,7 @@ fields! {
 }
 
 impl<T: Component> AlignLoads<T> {
-    /// From both triads and the multipliers.
+    /// Combines both triads with the multipliers.
     #[inline]
     pub const fn new(triads: &Triads<T>, [lambda_r1, lambda_r2, lambda_r3]: [T; 3]) -> Self {
         let Triads { e1a, e2a, e3a, e1b, e2b, e3b } = *triads;
@@ -162,7 +163,7 @@ impl<T: Component> AlignLoads<T> {
     }
 }
 
-/// What ALIGN exerts on its nodes, Rowsᵀ λ: a moment on b, its opposite on a.
+/// The moments of ALIGN on its nodes, Rowsᵀ λ: a moment on b, its opposite on a.
 #[derive(Clone, Copy, Debug)]
 pub struct Moments;
 
@@ -173,8 +174,8 @@ impl Formula for Moments {
             r"\mathbf{u}_{r1,\theta b},\ \mathbf{u}_{r2,\theta b},\ \mathbf{u}_{r3,\theta b}",
             &Rows::SPEC,
         )])
-        // An entry is a sum of terms that may cancel, and what inputs do to them with them; then their roundings remain. Of the
-        // rows at 20 000 random points the worst is 46.
+        // An entry is a sum of terms that may cancel, and so may their sensitivities to the inputs; then their rounding errors
+        // remain. Of the rows the worst at 20 000 random points is 46.
         .eta_of_value(6.0)
         .scale(1e250)
         .finite(Finite::Between);
@@ -195,13 +196,14 @@ impl Formula for Moments {
 }
 
 fields! {
-    /// How the moments of ALIGN change with the spins, the multipliers held: the block from which all four are made.
+    /// The derivatives of ALIGN's moments with respect to the spins, with the multipliers held: the block from which all four are
+    /// formed.
     ///
-    /// [`matrix`](AlignStiffness::matrix) has them in their places.
+    /// [`matrix`](AlignStiffness::matrix) assembles them.
     pub struct AlignStiffness<T> { k_tb_tb: Matrix3<T> = K_TB_TB }
 }
 
-/// The geometric stiffness of ALIGN, Σ λ ∂²g by spins, as it is: unsymmetric.
+/// The geometric stiffness of ALIGN, Σ λ ∂²g with respect to spins, without symmetrisation: unsymmetric.
 #[derive(Clone, Copy, Debug)]
 pub struct GeometricStiffness;
 
@@ -212,7 +214,7 @@ impl Formula for GeometricStiffness {
             r"\mathbf{u}_{r1,\theta b},\ \mathbf{u}_{r2,\theta b},\ \mathbf{u}_{r3,\theta b}",
             &Rows::SPEC,
         )])
-        // As of the rows.
+        // As for the rows.
         .eta_of_value(12.0)
         .normwise_of_value(3.0)
         .scale(1e250);

@@ -1,4 +1,4 @@
-//! Twelve degrees of freedom in a row: the translation and the spin of a, the translation and the spin of b.
+//! Assembly over twelve degrees of freedom: the translation and the spin of a, then the translation and the spin of b.
 
 use super::angle::{AlignRows, AlignStiffness};
 use super::cross::{UniversalMoments, UniversalStiffness};
@@ -8,13 +8,13 @@ use crate::element::NodalForces;
 use crate::number::scalar::Scalar;
 use nalgebra::{Matrix3, Vector3};
 
-/// The places of the four motions, in threes.
+/// The positions of the four motions, in blocks of three.
 const UA: usize = 0;
 const TA: usize = 1;
 const UB: usize = 2;
 const TB: usize = 3;
 
-/// Matrices of three rows and columns at their places.
+/// Assembles blocks of three rows and columns.
 fn stiffness<D: Scalar, const N: usize>(blocks: [(usize, usize, Matrix3<D>); N]) -> Stiffness<D> {
     let mut all = Stiffness::zeros();
     for (row, column, block) in blocks {
@@ -23,13 +23,13 @@ fn stiffness<D: Scalar, const N: usize>(blocks: [(usize, usize, Matrix3<D>); N])
     all
 }
 
-/// Rows from what they are for each of the four motions, if anything.
+/// Assembles rows from their parts for each of the four motions, if any.
 fn rows<D: Scalar, const N: usize>(parts: [[Option<Vector3<D>>; 4]; N]) -> Rows<D, N> {
     Rows::from_fn(|row, column| parts[row][column / 3].map_or(D::zero(), |part| part[column % 3]))
 }
 
 impl<D: Scalar> NodalForces<D> {
-    /// Force and moment on a, force and moment on b.
+    /// Force and moment on a, then force and moment on b.
     pub fn vector(&self) -> Forces<D> {
         let parts = [self.fa, self.ma, self.fb, self.mb];
         Forces::from_fn(|k, _| parts[k / 3][k % 3])
@@ -65,7 +65,7 @@ impl<D: Scalar> JoinRows<D> {
 }
 
 impl<D: Scalar> JoinForces<D> {
-    /// Force and moment on a, force and no moment on b.
+    /// Force and moment on a, force on b, and no moment on b.
     pub fn vector(&self) -> Forces<D> {
         let Self { fa, ma, fb } = *self;
         NodalForces { fa, ma, fb, mb: Vector3::zeros() }.vector()
@@ -92,7 +92,7 @@ impl<D: Scalar> AlignRows<D> {
 }
 
 impl<D: Scalar> JoinStiffness<D> {
-    /// All blocks in their places.
+    /// The assembled matrix.
     pub fn matrix(&self) -> Stiffness<D> {
         let (force, turned) = (self.k_ua_ta, self.k_ua_ta.transpose());
         stiffness([(UA, TA, force), (UB, TA, -force), (TA, UA, turned), (TA, UB, -turned), (TA, TA, self.k_ta_ta)])
@@ -100,7 +100,7 @@ impl<D: Scalar> JoinStiffness<D> {
 }
 
 impl<D: Scalar> UniversalStiffness<D> {
-    /// Adds all blocks in their places.
+    /// Assembles all blocks into the matrix `all`.
     pub(crate) fn add_to(&self, all: &mut Stiffness<D>) {
         let across = self.k_ta_tb;
         let mut own = all.fixed_view_mut::<3, 3>(3 * TA, 3 * TA);
@@ -110,7 +110,7 @@ impl<D: Scalar> UniversalStiffness<D> {
         }
     }
 
-    /// All blocks in their places.
+    /// The assembled matrix.
     pub fn matrix(&self) -> Stiffness<D> {
         let across = self.k_ta_tb;
         stiffness([(TA, TA, self.k_ta_ta), (TA, TB, across), (TB, TA, across.transpose()), (TB, TB, self.k_tb_tb)])
@@ -118,7 +118,7 @@ impl<D: Scalar> UniversalStiffness<D> {
 }
 
 impl<D: Scalar> AlignStiffness<D> {
-    /// All blocks in their places.
+    /// The assembled matrix.
     pub fn matrix(&self) -> Stiffness<D> {
         let (b, a) = (self.k_tb_tb, self.k_tb_tb.transpose());
         stiffness([(TA, TA, a), (TA, TB, -b), (TB, TA, -a), (TB, TB, b)])

@@ -1,8 +1,8 @@
 //! Cardan angles of node b's triad relative to node a's.
 //!
-//! The frames are the triads of both nodes, orthonormal and right-handed. With `R_ij = e_ia·e_jb`, row i and column j, the
-//! angles are those of R = R1(α) R2(β) R3(γ) ([`rotation`]), three turns by the right-hand rule, each about the axes as the
-//! turns before have left them:
+//! The frames are the triads of both nodes, orthonormal and right-handed. With `R_ij = e_ia·e_jb`, row i and column j, the angles
+//! are those of R = R1(α) R2(β) R3(γ) ([`rotation`]), three rotations by the right-hand rule, each about an axis as rotated by
+//! the previous ones:
 //!
 //! ```text
 //!     ⎡           cos β cos γ                      −cos β sin γ                   sin β    ⎤
@@ -12,15 +12,15 @@
 //!
 //! All three are 0 where both triads are equal.
 //!
-//! α turns about e1a, γ about e3b, and β about the line of nodes between them, cos α e2a + sin α e3a.
+//! α rotates about e1a, γ about e3b, and β about the line of nodes between them, cos α e2a + sin α e3a.
 //!
-//! [`alpha`] and [`gamma`] with [`alpha_gradient`] and [`gamma_gradient`] are right at every angle, ±90° and ±180°
-//! included: value and derivative need no quotient of the two scalar products. They lie in [−π, π); half a turn is −π.
-//! Only at gimbal lock, where β = ±90° and both scalar products vanish, are they undefined, in mathematics as
-//! here: [`check_alpha`] and [`check_gamma`] reject it.
+//! [`alpha`] and [`gamma`] with [`alpha_gradient`] and [`gamma_gradient`] are correct at every angle, ±90° and ±180° included:
+//! value and derivative need no quotient of the two scalar products. They lie in [−π, π); half a turn is −π. Only at gimbal lock,
+//! where β = ±90° and both scalar products vanish, are they undefined, mathematically and here: [`check_alpha`] and
+//! [`check_gamma`] reject it.
 //!
-//! β has two forms. [`CardanAngles`] is the documented arc sine. [`BetaTwoArgument`] is ours: equal on orthonormal
-//! triads and accurate up to ±90°, where the arc sine makes 1e-8 of a rounding of 1e-16. [`between`] takes ours.
+//! β has two forms. [`CardanAngles`] is the documented arc sine. [`BetaTwoArgument`] is ours: equal on orthonormal triads and
+//! accurate up to ±90°, where the arc sine amplifies a rounding error of 1e-16 to 1e-8. [`between`] uses ours.
 
 #![expect(clippy::inline_always, reason = "a call would write the vectors to memory, and wait for them there")]
 
@@ -100,7 +100,7 @@ fn turn<D: Scalar>(v: &Vector3<D>, p: &Vector3<D>, q: &Vector3<D>) -> D {
     turn
 }
 
-/// −atan2(sine, cosine), blind to the signs of zeros: half a turn is −π, no turn is +0.
+/// −atan2(sine, cosine), independent of the signs of zeros: half a turn is −π, no turn is +0.
 #[inline(always)]
 fn turns<D: Scalar, const N: usize>(sines: [D; N], cosines: [D; N]) -> [D; N] {
     angles(sines.map(|sine| sine + 0.0), cosines).map(|angle| D::zero() - angle)
@@ -108,16 +108,16 @@ fn turns<D: Scalar, const N: usize>(sines: [D; N], cosines: [D; N]) -> [D; N] {
 
 /// The derivatives of −atan2(v·p, v·q) with respect to v, p and q, from v·p and v·q.
 ///
-/// With s and c for the two: −c v and s v for p and q, s q − c p for v, all over s² + c². The last is
-/// (p × q) × v, which knows that lengthening v does not turn it: the two terms cancel where v lies near an axis, the
-/// double product does not.
+/// With s and c for the two scalar products: −c v and s v for p and q, s q − c p for v, all divided by s² + c². The last is
+/// evaluated as (p × q) × v, which is exactly normal to v: the two terms cancel where v is close to an axis, the double product
+/// does not.
 #[inline]
 fn turn_gradient<D: Scalar>(of: [&Vector3<D>; 3], (sine, cosine): (D, D)) -> [Vector3<D>; 3] {
     let [gradient] = turn_gradients([of], [sine], [cosine]);
     gradient
 }
 
-/// Several of them.
+/// Several such derivatives.
 #[inline(always)]
 fn turn_gradients<D: Scalar, const N: usize>(
     of: [[&Vector3<D>; 3]; N],
@@ -136,7 +136,7 @@ fn turn_gradients<D: Scalar, const N: usize>(
     })
 }
 
-/// [`turn_gradient`] where squares under- or overflow. By value: references would keep the vectors in memory for all.
+/// [`turn_gradient`] where squares under- or overflow. Passed by value: references would keep the vectors in memory on all paths.
 #[cold]
 fn extreme_turn_gradient<D: Scalar>([v, p, q]: [Vector3<D>; 3], (sine, cosine): (D, D)) -> [Vector3<D>; 3] {
     let (length, [sine, cosine]) = norm_and_direction([sine, cosine]);
@@ -144,22 +144,22 @@ fn extreme_turn_gradient<D: Scalar>([v, p, q]: [Vector3<D>; 3], (sine, cosine): 
     [p.cross(&q).cross(&v) * by * by, v * (-cosine * by), v * (sine * by)]
 }
 
-/// Whether [`turn`] and its derivatives are defined. Where several rows are computed at once, they are NaN if not.
+/// Whether [`turn`] and its derivatives are defined. If several rows are computed at once, the results are NaN otherwise.
 #[inline]
 fn is_turn<D: Scalar>(v: &Vector3<D>, p: &Vector3<D>, q: &Vector3<D>) -> bool {
     !D::has_extremes() || has_length([v.dot(p), v.dot(q)])
 }
 
-/// An angle, a number of full turns on or back, nearest to another one: how a joint is followed from state to state that
-/// turns by less than half a turn between them.
+/// The angle plus the number of full turns that brings it nearest to another one: this follows a joint from state to state,
+/// provided that it rotates by less than half a turn between them.
 #[inline]
 pub(crate) fn nearest<D: Scalar>(angle: D, to: D) -> D {
     let turns = ((to - angle).re() / std::f64::consts::TAU).round();
     if turns == 0.0 { angle } else { angle + pi::<D>() * (2.0 * turns) }
 }
 
-/// R1(α) R2(β) R3(γ): three turns about the first, the second and the third axis, each about the axes as the turns
-/// before have left them. Row i, column j is `e_ia·e_jb`.
+/// R1(α) R2(β) R3(γ): three rotations about the first, the second and the third axis, each about an axis as rotated by the
+/// previous ones. Row i, column j is `e_ia·e_jb`.
 ///
 /// ```
 /// use jointproof::element::cardan::rotation;
@@ -182,7 +182,7 @@ pub fn rotation<D: Scalar>(alpha: D, beta: D, gamma: D) -> Matrix3<D> {
     )
 }
 
-/// The triad of b that stands at these angles to the triad of a.
+/// The triad of b, rotated relative to the triad of a by this matrix.
 pub fn turned<D: Scalar>(a: &[Vector3<D>; 3], r: &Matrix3<D>) -> [Vector3<D>; 3] {
     std::array::from_fn(|j| a[0] * r[(0, j)] + a[1] * r[(1, j)] + a[2] * r[(2, j)])
 }

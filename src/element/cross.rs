@@ -1,4 +1,4 @@
-//! UNIVERSAL as an element: one residual, the cosine between e1a and e3b, on which spins alone work.
+//! UNIVERSAL as an element: one residual, the cosine between e1a and e3b, which depends on spins only.
 
 #![expect(clippy::inline_always, reason = "the compiler sees the indices, and where the zeros are")]
 
@@ -19,11 +19,11 @@ fields! {
     pub struct CrossAxes<T> { e1a: Vector3<T> = E1A, e3b: Vector3<T> = E3B }
 }
 fields! {
-    /// The derivatives of the residual by the spins of both nodes; translations do not change it.
+    /// The derivatives of the residual with respect to the spins of both nodes; it does not depend on translations.
     pub struct UniversalRow<T> { g_rot_ta: Vector3<T> = G_ROT_TA, g_rot_tb: Vector3<T> = G_ROT_TB }
 }
 
-/// The row of UNIVERSAL: e1a × e3b by the spin of a, its opposite by that of b.
+/// The row of UNIVERSAL: e1a × e3b with respect to the spin of a, its opposite with respect to that of b.
 #[derive(Clone, Copy, Debug)]
 pub struct Rows;
 
@@ -53,11 +53,11 @@ fields! {
     pub struct UniversalLoads<T> { e1a: Vector3<T> = E1A, e3b: Vector3<T> = E3B, lambda_rot: T = LAMBDA_ROT }
 }
 fields! {
-    /// What UNIVERSAL exerts on its nodes.
+    /// The moments of UNIVERSAL on its nodes.
     pub struct UniversalMoments<T> { ma: Vector3<T> = MOMENT_A, mb: Vector3<T> = MOMENT_B }
 }
 
-/// What UNIVERSAL exerts on its nodes, Rowsᵀ λ: λ e1a × e3b on a, its opposite on b.
+/// The moments of UNIVERSAL on its nodes, Rowsᵀ λ: λ e1a × e3b on a, its opposite on b.
 #[derive(Clone, Copy, Debug)]
 pub struct Moments;
 
@@ -83,17 +83,18 @@ impl Formula for Moments {
 }
 
 fields! {
-    /// How what UNIVERSAL exerts on its nodes changes with their spins, the multiplier held.
+    /// The derivatives of UNIVERSAL's moments with respect to the spins, with the multiplier held.
     ///
-    /// The moment on b changes with the spin of a by the transpose of what that on a does with the spin of b.
+    /// The derivative of the moment on b with respect to the spin of a is the transpose of that of the moment on a with respect
+    /// to the spin of b.
     pub struct UniversalStiffness<T> {
         k_ta_ta: Matrix3<T> = K_TA_TA, k_ta_tb: Matrix3<T> = K_TA_TB, k_tb_tb: Matrix3<T> = K_TB_TB,
     }
 }
 
-/// The geometric stiffness of UNIVERSAL, λ ∂²g by spins, as it is: unsymmetric.
+/// The geometric stiffness of UNIVERSAL, λ ∂²g with respect to spins, without symmetrisation: unsymmetric.
 ///
-/// One matrix, λ (e1a ⊗ e3b − (e1a·e3b) I), is in all blocks: as it stands, transposed, and with the other sign.
+/// One matrix, λ (e1a ⊗ e3b − (e1a·e3b) I), appears in all blocks: unchanged, transposed, or with the opposite sign.
 #[derive(Clone, Copy, Debug)]
 pub struct GeometricStiffness;
 

@@ -1,13 +1,13 @@
-//! Triads of nodes, validated: three unit vectors e1, e2, e3, perpendicular to one another and right-handed, e1 × e2 = e3.
+//! Validated triads of nodes: three unit vectors e1, e2, e3, perpendicular to one another and right-handed, e1 × e2 = e3.
 //!
-//! As columns they are the rotation R that turns the global axes into them; at the identity the node stands as the global
-//! axes do. In the plane e2 is e1 turned left by 90°.
+//! Their columns form the rotation R that maps the global axes to them; with the identity the triad coincides with the global
+//! axes. In the plane e2 is e1 rotated by 90° to the left.
 
 use crate::formula::error::Error;
 use crate::number::scalar::norm;
 use nalgebra::{SVector, Vector2, Vector3};
 
-/// How far from orthonormal a triad may be: lengths from 1 and scalar products from 0.
+/// The tolerance of orthonormality: of lengths from 1 and of scalar products from 0.
 pub const TOLERANCE: f64 = 1e-10;
 
 /// A right-handed orthonormal triad in space.
@@ -86,7 +86,7 @@ impl PlaneTriad {
         Self { e1: Vector2::x(), e2: Vector2::y() }
     }
 
-    /// The directions, given in the global frame; e2 is e1 turned left by 90°.
+    /// The directions, given in the global frame; e2 is e1 rotated by 90° to the left.
     ///
     /// # Errors
     /// As [`Triad::new`].

@@ -1,4 +1,4 @@
-//! JOIN as an element: three residuals, each the distance of b from its place along one axis of a.
+//! JOIN as an element: three residuals, each the displacement of b from its initial position along one axis of a.
 
 #![expect(clippy::inline_always, reason = "the compiler sees the indices, and where the zeros are")]
 
@@ -16,14 +16,15 @@ use crate::number::scalar::Scalar;
 use nalgebra::{Matrix3, Vector3};
 
 fields! {
-    /// Where the nodes are, and how node a is turned.
+    /// The positions of the nodes, and the triad of a.
     pub struct Positions<T> {
         e1a: Vector3<T> = E1A, e2a: Vector3<T> = E2A, e3a: Vector3<T> = E3A,
         xa: Vector3<T> = XA, xb: Vector3<T> = XB,
     }
 }
 fields! {
-    /// The derivatives of the three residuals by the translations of both nodes and the spin of a; that of b turns nothing.
+    /// The derivatives of the three residuals with respect to the translations of both nodes and the spin of a; that of b has no
+    /// effect.
     pub struct JoinRows<T> {
         g1_ua: Vector3<T> = G1_UA, g1_ta: Vector3<T> = G1_TA, g1_ub: Vector3<T> = G1_UB,
         g2_ua: Vector3<T> = G2_UA, g2_ta: Vector3<T> = G2_TA, g2_ub: Vector3<T> = G2_UB,
@@ -31,7 +32,7 @@ fields! {
     }
 }
 
-/// The rows of JOIN: −e_ia by the translation of a, e_ia × (xb − xa) by its spin, e_ia by the translation of b.
+/// The rows of JOIN: −e_ia for the translation of a, e_ia × (xb − xa) for its spin, e_ia for the translation of b.
 #[derive(Clone, Copy, Debug)]
 pub struct Rows;
 
@@ -66,14 +67,14 @@ impl Formula for Rows {
 }
 
 fields! {
-    /// Where the nodes are, how node a is turned, and the multipliers, which are the forces along its triad.
+    /// The positions of the nodes, the triad of a, and the multipliers, which are the forces along this triad.
     pub struct JoinLoads<T> {
         e1a: Vector3<T> = E1A, e2a: Vector3<T> = E2A, e3a: Vector3<T> = E3A, xa: Vector3<T> = XA, xb: Vector3<T> = XB,
         f1: T = JOIN_F1, f2: T = F2, f3: T = F3,
     }
 }
 fields! {
-    /// What JOIN exerts on its nodes; on b no moment.
+    /// The forces of JOIN on its nodes; there is no moment on b.
     pub struct JoinForces<T> { fa: Vector3<T> = FORCE_A, ma: Vector3<T> = MOMENT_A, fb: Vector3<T> = FORCE_B }
 }
 
@@ -89,7 +90,7 @@ impl<D: Scalar> JoinLoads<D> {
     }
 }
 
-/// What JOIN exerts on its nodes, Rowsᵀ λ: on b the force f1 e1a + f2 e2a + f3 e3a, on a its opposite and its moment.
+/// The forces of JOIN on its nodes, Rowsᵀ λ: on b the force f1 e1a + f2 e2a + f3 e3a, on a its opposite and its moment.
 #[derive(Clone, Copy, Debug)]
 pub struct Forces;
 
@@ -114,13 +115,15 @@ impl Formula for Forces {
 }
 
 fields! {
-    /// How what JOIN exerts on a changes with the spin of a, the multipliers held.
+    /// The derivatives of JOIN's force and moment on a with respect to the spin of a, with the multipliers held.
     ///
-    /// The force on b changes by the opposite of that on a, and the other blocks follow from symmetry; all else is zero.
+    /// The derivative of the force on b is the opposite of that on a, and the other blocks follow from symmetry; all else is
+    /// zero.
     pub struct JoinStiffness<T> { k_ua_ta: Matrix3<T> = K_UA_TA, k_ta_ta: Matrix3<T> = K_TA_TA }
 }
 
-/// The geometric stiffness of JOIN, Σ λ ∂²g by translations and spins, as it is: unsymmetric in the spins.
+/// The geometric stiffness of JOIN, Σ λ ∂²g with respect to translations and spins, without symmetrisation: unsymmetric in the
+/// spins.
 #[derive(Clone, Copy, Debug)]
 pub struct GeometricStiffness;
 

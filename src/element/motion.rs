@@ -1,4 +1,4 @@
-//! Virtual motions of two nodes, by which laws are stated: what they change, by automatic differentiation in 237 bits.
+//! Virtual motions of two nodes, used to state laws: derivatives along them, by automatic differentiation in 237 bits.
 
 use super::{Forces, Stiffness};
 use crate::Octuple;
@@ -8,10 +8,10 @@ use num_dual::Dual;
 use num_traits::{One, Zero};
 
 type Vector = Vector3<Octuple>;
-/// A number that changes as the nodes move.
+/// A number with its derivative along a motion of the nodes.
 pub(crate) type Moving = Dual<Octuple>;
 
-/// Translations and spins of both nodes, or what belongs to each of them.
+/// Translations and spins of both nodes, or a vector belonging to each of them.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Motion {
     pub(crate) ua: Vector,
@@ -26,7 +26,7 @@ impl Motion {
         Self { ua: none, ta: none, ub: none, tb: none }
     }
 
-    /// All that moves alone: the k-th component of each.
+    /// All unit motions: the k-th component of each translation and spin alone.
     pub(crate) fn alone() -> [[Self; 3]; 4] {
         let none = Self::none();
         let unit = |k: usize| Vector::from_fn(|j, _| if j == k { Octuple::one() } else { Octuple::zero() });
@@ -38,41 +38,41 @@ impl Motion {
         ]
     }
 
-    /// A position of a, of b.
+    /// The positions of a and of b under this motion.
     pub(crate) fn places(&self, [xa, xb]: [Vector; 2]) -> [Vector3<Moving>; 2] {
         [xa.zip_map(&self.ua, Dual::new), xb.zip_map(&self.ub, Dual::new)]
     }
 
-    /// A vector of the triad of a: δe = δθ × e.
+    /// A vector of the triad of a under this motion: δe = δθ × e.
     pub(crate) fn of_a(&self, e: Vector) -> Vector3<Moving> {
         e.zip_map(&self.ta.cross(&e), Dual::new)
     }
 
-    /// A vector of the triad of b.
+    /// A vector of the triad of b under this motion.
     pub(crate) fn of_b(&self, e: Vector) -> Vector3<Moving> {
         e.zip_map(&self.tb.cross(&e), Dual::new)
     }
 }
 
-/// The derivative of a number by translations and spins.
+/// The derivative of a number with respect to translations and spins.
 pub(crate) fn derivative(number: impl Fn(&Motion) -> Moving) -> Motion {
     let by = |motions: &[Motion; 3]| Vector::from_fn(|k, _| number(&motions[k]).eps);
     let [ua, ta, ub, tb] = Motion::alone();
     Motion { ua: by(&ua), ta: by(&ta), ub: by(&ub), tb: by(&tb) }
 }
 
-/// A number that stands still.
+/// A constant: its derivative is 0.
 pub(crate) fn still(x: Octuple) -> Moving {
     Dual::from_re(x)
 }
 
-/// How forces change with the twelve degrees of freedom.
+/// The derivatives of forces with respect to the twelve degrees of freedom.
 pub(crate) fn stiffness(forces: impl Fn(&Motion) -> Forces<Moving>) -> Stiffness<Octuple> {
     let columns = Motion::alone().map(|motions| motions.map(|motion| forces(&motion).map(|force| force.eps)));
     Stiffness::from_fn(|row, column| columns[column / 3][column % 3][row])
 }
 
-/// What a geometric stiffness must obey, from the forces that it is the derivative of.
+/// A geometric stiffness and the forces of which it is the derivative, for checking the laws of the stiffness.
 pub(crate) struct Tangent {
     pub(crate) matrix: Stiffness<Octuple>,
     pub(crate) forces: Forces<Octuple>,
@@ -81,7 +81,7 @@ pub(crate) struct Tangent {
 }
 
 impl Tangent {
-    /// The size of the terms of an entry: of those that spins work on, that of moments.
+    /// The size of the terms of an entry: that of moments if row and column belong to spins, otherwise that of forces.
     fn size(&self, row: usize, column: usize) -> Octuple {
         self.sizes[usize::from((row / 3) % 2 == 1 && (column / 3) % 2 == 1)]
     }
@@ -91,12 +91,12 @@ impl Tangent {
         entries.flat_map(|at| law::equal_with(left[at], right[at], self.size(at.0, at.1))).collect()
     }
 
-    /// It is the derivative of the forces.
+    /// The matrix is the derivative of the forces.
     pub(crate) fn derives(&self, forces: impl Fn(&Motion) -> Forces<Moving>) -> Vec<Equation> {
         self.equal(&self.matrix, &stiffness(forces))
     }
 
-    /// K − Kᵀ is −\[m×\] where the spin of a node works on its own moment m, and 0 elsewhere.
+    /// K − Kᵀ is −\[m×\] in the block of a node's own spin, with the moment m on that node, and 0 elsewhere.
     pub(crate) fn is_symmetric_but_for_own_spins(&self) -> Vec<Equation> {
         let mut expected = Stiffness::zeros();
         for spin in [3, 9] {
@@ -106,7 +106,7 @@ impl Tangent {
         self.equal(&(self.matrix - self.matrix.transpose()), &expected)
     }
 
-    /// Where both nodes turn as one body about a point, forces and moments turn with them.
+    /// If both nodes rotate as one body about a point, forces and moments rotate with them.
     pub(crate) fn turns_with_the_body(&self, [xa, xb]: [Vector; 2], spin: Vector) -> Vec<Equation> {
         let (ua, ub) = (Vector::from_element(Octuple::zero()), spin.cross(&(xb - xa)));
         let parts = [ua, spin, ub, spin];

@@ -1,4 +1,4 @@
-//! Two nodes in space, where they are and how they are turned.
+//! Two nodes in space, with their positions and triads.
 
 #[cfg(feature = "verify")]
 pub(crate) mod proof;
@@ -15,7 +15,7 @@ use crate::number::scalar::Scalar;
 use nalgebra::Vector3;
 
 fields! {
-    /// Where both nodes are, and how they are turned.
+    /// The positions and triads of both nodes.
     pub struct Nodes<T> {
         e1a: Vector3<T> = E1A, e2a: Vector3<T> = E2A, e3a: Vector3<T> = E3A,
         e1b: Vector3<T> = E1B, e2b: Vector3<T> = E2B, e3b: Vector3<T> = E3B,
@@ -30,11 +30,11 @@ pub(crate) const UNKNOWNS: &[Field] = &[
     Field::new("ub", &TRANSLATION_B),
     Field::new("tb", &SPIN_B),
 ];
-/// What acts on them.
+/// The forces and moments on them.
 pub(crate) const FORCES: &[Field] = <NodalForces<f64> as Fields<f64>>::FIELDS;
 
 impl<T: Component> Nodes<T> {
-    /// From the triads of a and of b, and the places of a and of b.
+    /// Combines the triads of a and of b with the positions of a and of b.
     #[inline]
     pub const fn new(triads: [[Vector3<T>; 3]; 2], places: [Vector3<T>; 2]) -> Self {
         let ([[e1a, e2a, e3a], [e1b, e2b, e3b]], [xa, xb]) = (triads, places);
@@ -58,7 +58,7 @@ impl<T: Component> Nodes<T> {
         Positions { e1a, e2a, e3a, xa, xb }
     }
 
-    /// The loads of JOIN here.
+    /// The loads of JOIN at these nodes.
     pub(crate) fn join_loads(&self, [f1, f2, f3]: [T; 3]) -> JoinLoads<T> {
         let Self { e1a, e2a, e3a, xa, xb, .. } = *self;
         JoinLoads { e1a, e2a, e3a, xa, xb, f1, f2, f3 }
@@ -70,7 +70,7 @@ impl<T: Component> Nodes<T> {
 }
 
 impl<D: Scalar> Nodes<D> {
-    /// After small motions u_a, θ_a, u_b, θ_b.
+    /// The nodes after small motions u_a, θ_a, u_b, θ_b.
     pub(crate) fn moved(&self, motions: &Forces<D>) -> Self {
         let [ua, ta, ub, tb] = [0, 3, 6, 9].map(|k| motions.fixed_rows::<3>(k).into_owned());
         let turned = |triad: [Vector3<D>; 3], spin: Vector3<D>| triad.map(|e| e + spin.cross(&e));
@@ -79,7 +79,7 @@ impl<D: Scalar> Nodes<D> {
 }
 
 impl<D: Scalar, const M: usize> Contribution<D, M> {
-    /// The same at the nodes that carry rigid arms to the connector's points, where this is.
+    /// Converts this contribution at the connector's points to the nodes that carry rigid arms to these points.
     #[must_use]
     pub fn on_arms(&self, arms: &Arms<D>) -> Self {
         Self {
@@ -92,7 +92,7 @@ impl<D: Scalar, const M: usize> Contribution<D, M> {
     }
 }
 
-/// What belongs to the spins alone.
+/// A vector over all degrees of freedom that has only the parts of the spins.
 pub(crate) fn by_spins<D: Scalar>(ma: Vector3<D>, mb: Vector3<D>) -> Forces<D> {
     UniversalMoments { ma, mb }.vector()
 }

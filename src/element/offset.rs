@@ -1,7 +1,7 @@
-//! A connector at the end of a rigid arm: what its rows, forces and stiffness are at the node that carries the arm.
+//! A connector at the end of a rigid arm: its rows, forces and stiffness at the node that carries the arm.
 //!
-//! The connector's point moves with u + θ × r, where r is the arm, from the node to that point, and turns with the node. A
-//! force there has the moment r × f about the node, which changes as the arm turns.
+//! The connector's point moves with u + θ × r, where r is the arm, from the node to that point, and rotates with the node. A
+//! force there has the moment r × f about the node, which changes as the arm rotates.
 
 #[cfg(feature = "verify")]
 mod proof;
@@ -15,15 +15,16 @@ use crate::number::scalar::Scalar;
 use nalgebra::{Matrix3, Vector3};
 
 fields! {
-    /// The arm, and what acts at its end.
+    /// The arm, and the force and moment at its end.
     pub struct ArmLoads<T> { r: Vector3<T> = ARM, f: Vector3<T> = ARM_FORCE, m: Vector3<T> = ARM_MOMENT }
 }
 fields! {
-    /// The moment at the node, and how that of the force changes with the node's spin, the force held.
+    /// The moment at the node, and the derivative of the force's moment with respect to the node's spin, with the force held.
     pub struct ArmActions<T> { m_node: Vector3<T> = NODE_MOMENT, k_arm: Matrix3<T> = K_ARM }
 }
 
-/// What acts at the end of a rigid arm, at its node: the same force, the moment m + r × f, and a stiffness of its own.
+/// The effect of the loads at the end of a rigid arm on its node: the same force, the moment m + r × f, and an additional
+/// stiffness.
 #[derive(Clone, Copy, Debug)]
 pub struct Arm;
 
@@ -65,19 +66,19 @@ impl Formula for Arm {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Arms<D> {
-    /// From node a, in the global frame.
+    /// The arm from node a, in the global frame.
     pub a: Vector3<D>,
-    /// From node b, in the global frame.
+    /// The arm from node b, in the global frame.
     pub b: Vector3<D>,
 }
 
 impl<D: Scalar> Arms<D> {
-    /// Where each begins among the twelve degrees of freedom.
+    /// The arms, each with the first degree of freedom of its node.
     const fn placed(&self) -> [(usize, Vector3<D>); 2] {
         [(0, self.a), (6, self.b)]
     }
 
-    /// Rows over the degrees of freedom of the nodes, from those over the points.
+    /// The rows over the degrees of freedom of the nodes, from those of the points.
     pub fn rows<const RESIDUALS: usize>(&self, at_points: &Rows<D, RESIDUALS>) -> Rows<D, RESIDUALS> {
         let mut rows = *at_points;
         for mut row in rows.row_iter_mut() {
@@ -90,12 +91,12 @@ impl<D: Scalar> Arms<D> {
         rows
     }
 
-    /// Forces and moments on the nodes, from those on the points.
+    /// The forces and moments on the nodes, from those on the points.
     pub fn forces(&self, at_points: &Forces<D>) -> Forces<D> {
         self.rows(&at_points.transpose()).transpose()
     }
 
-    /// How they change with the nodes, from how those on the points change, and from the forces there.
+    /// The stiffness at the nodes, from the stiffness and the forces at the points.
     pub fn stiffness(&self, at_points: &Stiffness<D>, forces: &Forces<D>) -> Stiffness<D> {
         let by_columns = self.rows(at_points);
         let mut all = self.rows(&by_columns.transpose()).transpose();

@@ -5,14 +5,14 @@
 use crate::number::scalar::Scalar;
 use nalgebra::{Matrix3, Vector3};
 
-/// \[v×\]: what takes w to v × w.
+/// \[v×\]: the matrix that maps w to v × w.
 #[inline(always)]
 pub(crate) fn skew<D: Scalar>(v: &Vector3<D>) -> Matrix3<D> {
     let zero = D::zero();
     Matrix3::new(zero, -v.z, v.y, v.z, zero, -v.x, -v.y, v.x, zero)
 }
 
-/// a ⊗ b − (a·b) I = \[b×\] \[a×\]: what takes w to b × (a × w).
+/// a ⊗ b − (a·b) I = \[b×\] \[a×\]: the matrix that maps w to b × (a × w).
 ///
 /// Its diagonal is a sum over the other two axes, without the product that would cancel.
 #[inline(always)]

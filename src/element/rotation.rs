@@ -1,15 +1,16 @@
-//! Rotation vectors and Euler parameters as unknowns: what moments work on, and how that changes.
+//! Rotation vectors and Euler parameters as unknowns: the generalised moments conjugate to them, and their derivatives.
 //!
 //! | | |
 //! |---|---|
-//! | rotation vector ψ | the triad is R = exp(\[ψ×\]) times that at ψ = 0, a turn by |ψ| about ψ |
-//! | Euler parameters (q0, q) | the unit quaternion of the same turn, cos(|ψ|/2) and sin(|ψ|/2) ψ/|ψ| |
+//! | rotation vector ψ | the triad is R = exp(\[ψ×\]) times that at ψ = 0, a rotation by the angle φ, the length of ψ, about ψ |
+//! | Euler parameters (q0, q) | the unit quaternion of the same rotation, cos(φ/2) and sin(φ/2) ψ/φ |
 //! | spin | δθ = T(ψ) δψ and δθ = 2 E(q) δ(q0, q), about the global axes as everywhere here |
 //! | zero position | ψ = 0 and (1, 0), where T is the unit matrix |
 //!
-//! A moment m does the work m·δθ, so that Tᵀ m stands in the equation of ψ, and 2 Eᵀ m in that of (q0, q). Rows are multiplied by T
-//! from the right, a stiffness K becomes Tᵀ K T + ∂(Tᵀ m)/∂ψ; with Euler parameters likewise. Both are what the Jacobians here
-//! hold: Tᵀ by m, the other term by ψ. At a whole turn, |ψ| = 2π, T is singular: a program changes ψ by a whole turn before.
+//! A moment m does the work m·δθ, so that Tᵀ m appears in the equation of ψ, and 2 Eᵀ m in that of (q0, q). Rows are multiplied
+//! by T from the right, a stiffness K becomes Tᵀ K T + ∂(Tᵀ m)/∂ψ; with Euler parameters likewise. The Jacobians here contain
+//! both: Tᵀ as the derivative with respect to m, the other term as that with respect to ψ. At a whole turn, |ψ| = 2π, T is
+//! singular: a program must change ψ by a whole turn before that.
 
 #[cfg(feature = "verify")]
 pub(crate) mod proof;
@@ -24,20 +25,20 @@ use crate::number::scalar::Scalar;
 use nalgebra::Vector3;
 use stumpff::Stumpff;
 
-/// What both are derived from.
+/// The source of both formulas.
 const OURS: Source =
     Document::UJOINT.ours("Description", "the page turns its nodes; programs have different unknowns for that");
 
 fields! {
-    /// How a node is turned, and the moment on it.
+    /// The rotation vector of a node, and the moment on the node.
     pub struct TurnedLoad<T> { psi: Vector3<T> = PSI, m: Vector3<T> = SPIN_MOMENT }
 }
 fields! {
-    /// What does the work of the moment on the rotation vector.
+    /// The generalised moment conjugate to the rotation vector.
     pub struct RotationVectorMoment<T> { m_psi: Vector3<T> = PSI_MOMENT }
 }
 
-/// The moment that a rotation vector feels, Tᵀ m.
+/// The generalised moment on a rotation vector, Tᵀ m.
 #[derive(Clone, Copy, Debug)]
 pub struct RotationVector;
 
@@ -52,10 +53,10 @@ impl<D: Scalar> TurnedLoad<D> {
 impl Formula for RotationVector {
     const SPEC: Spec = Spec::new("element.rotation_vector", "A moment on a rotation vector", OURS)
         .equation(r"\begin{aligned} \mathbf{m}_\psi &= A\,\mathbf{m} - B\,\boldsymbol{\psi}\times\mathbf{m} + C\,(\boldsymbol{\psi}\cdot\mathbf{m})\,\boldsymbol{\psi},\quad \psi = \lvert\boldsymbol{\psi}\rvert,\quad A = \begin{cases} 1 & \psi = 0 \\ \frac{\sin\psi}{\psi} & \text{otherwise} \end{cases}, \\ B &= \begin{cases} \tfrac12 & \psi = 0 \\ \frac{1-\cos\psi}{\psi^2} & \text{otherwise} \end{cases},\quad C = \begin{cases} \tfrac16 & \psi = 0 \\ \frac{\psi-\sin\psi}{\psi^3} & \text{otherwise} \end{cases} \end{aligned}")
-        // Of 20 000 random points the worst entry is 40: a sum whose terms, and what inputs do to them, cancel.
+        // Of 20 000 random points the worst entry is 40: a sum whose terms cancel, and so do their sensitivities to the inputs.
         .eta(4.0, 96.0)
         .normwise(4.0, 12.0)
-        // Rounding ψ must turn by much less than a radian: what it does is told by a derivative.
+        // Rounding of ψ must rotate by much less than a radian, since its effect is estimated from a derivative.
         .scale(1e10)
         .finite(Finite::Between);
     type Inputs<T: Component> = TurnedLoad<T>;
@@ -76,7 +77,8 @@ impl Formula for RotationVector {
         let TurnedLoad { psi, m } = i;
         let (functions, [slope2, slope3]) = Stumpff::new(psi.dot(psi));
         let Stumpff { c1, c2, c3 } = functions;
-        // By ψ as m − c2 ψ × m + c3 ψ × (ψ × m), whose derivatives vanish as they should where m is along ψ.
+        // With respect to ψ from the form m − c2 ψ × m + c3 ψ × (ψ × m), whose derivatives vanish as they should if m is parallel
+        // to ψ.
         let across = psi.cross(m);
         let lengthened = psi.cross(&across) * slope3 - across * slope2;
         let row = |k: usize| {
@@ -93,16 +95,16 @@ impl Formula for RotationVector {
 }
 
 fields! {
-    /// How a node is turned, as a unit quaternion, and the moment on it.
+    /// The orientation of a node as a unit quaternion, and the moment on the node.
     pub struct QuaternionLoad<T> { q0: T = EULER_Q0, q: Vector3<T> = EULER_Q, m: Vector3<T> = SPIN_MOMENT }
 }
 fields! {
-    /// What does the work of the moment on the Euler parameters.
+    /// The generalised moment conjugate to the Euler parameters.
     pub struct EulerMoment<T> { m_q0: T = EULER_MOMENT0, m_q: Vector3<T> = EULER_MOMENT }
 }
 
-/// What the Euler parameters feel of a moment, 2 Eᵀ m. It does no work where they grow in proportion, so that whoever holds their
-/// length adds a multiplier of their own.
+/// The generalised moment on the Euler parameters, 2 Eᵀ m. It does no work if they grow in proportion, so that a program that
+/// holds their length adds a multiplier of its own.
 #[derive(Clone, Copy, Debug)]
 pub struct EulerParameters;
 

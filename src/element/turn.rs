@@ -1,10 +1,10 @@
-//! The angle −atan2(e·p, e·q), by which Cardan's first and third angle are measured, and its derivative by the spin of e.
+//! The angle −atan2(e·p, e·q), used for the first and third Cardan angles, and its derivative with respect to the spin of e.
 //!
-//! With i² = −1, P = q + i p and z = e·P, the angle is −Im ln z. Its derivative by the spin of e is −Im Y with Y = e × W and
-//! W = P/z.
+//! With i² = −1, P = q + i p and z = e·P, the angle is −Im ln z. Its derivative with respect to the spin of e is −Im Y with Y = e
+//! × W and W = P/z.
 //!
-//! Turned by a spin φ of p and q and a spin ψ of e, Y changes by (e ⊗ W − I − Y ⊗ Y) ψ + (I − W ⊗ e + Y ⊗ Y) φ. Its imaginary
-//! part has no unit matrix left: one matrix, Im(Y ⊗ Y − e ⊗ W), and its transpose say how the derivative turns.
+//! Under a spin φ of p and q and a spin ψ of e, Y changes by (e ⊗ W − I − Y ⊗ Y) ψ + (I − W ⊗ e + Y ⊗ Y) φ. The unit matrix
+//! vanishes from its imaginary part: one matrix, Im(Y ⊗ Y − e ⊗ W), and its transpose give the change of the derivative.
 
 #![expect(clippy::inline_always, reason = "the compiler sees the indices, and where the zeros are")]
 
@@ -24,18 +24,19 @@ impl<D: Scalar> Turn<D> {
     #[inline(always)]
     pub(super) fn new(e: &Vector3<D>, p: &Vector3<D>, q: &Vector3<D>) -> Self {
         let ([along, across], [per, more]) = inverse([e.dot(q), e.dot(p)]);
-        // The difference q (e·p) − p (e·q), which u is of, would lose the digits of small components.
+        // The difference q (e·p) − p (e·q), from which u is formed, would lose the digits of small components.
         let (k, u) = (p * across + q * along, e.cross(&(q * per).cross(&(p * more))));
         Self { e: *e, u, h: e.cross(&k), v: e.cross(&u) }
     }
 
-    /// The derivative of the angle by the spin of e.
+    /// The derivative of the angle with respect to the spin of e.
     #[inline(always)]
     pub(super) fn row(&self) -> Vector3<D> {
         self.v
     }
 
-    /// How [`row`](Self::row) changes with the spin of e; with that of p and q it changes by the transpose, negative.
+    /// The derivative of [`row`](Self::row) with respect to the spin of e; that with respect to the spin of p and q is the
+    /// negative transpose.
     #[inline(always)]
     pub(super) fn curvature(&self) -> Matrix3<D> {
         let Self { e, u, h, v, .. } = self;
@@ -44,7 +45,7 @@ impl<D: Scalar> Turn<D> {
     }
 }
 
-/// The real part of 1/(c + i s), and the imaginary one with the other sign; then two numbers whose product is 1/(c² + s²).
+/// The real part of 1/(c + i s), and the negative of its imaginary part; then two numbers whose product is 1/(c² + s²).
 #[inline(always)]
 fn inverse<D: Scalar>([c, s]: [D; 2]) -> ([D; 2], [D; 2]) {
     let square = c * c + s * s;

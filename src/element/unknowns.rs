@@ -1,4 +1,4 @@
-//! Programs whose unknowns are not spins: rotation vectors, or Euler parameters.
+//! Conversion to programs whose unknowns are not spins, but rotation vectors or Euler parameters.
 
 use super::Contribution;
 use crate::element::rotation::{EulerParameters, QuaternionLoad, RotationVector, TurnedLoad};
@@ -6,11 +6,11 @@ use crate::formula::Formula;
 use crate::number::scalar::Scalar;
 use nalgebra::{SMatrix, SVector, Vector3, Vector4};
 
-/// How a node turns with other unknowns.
+/// The rotation of a node as a function of other unknowns.
 struct Turning<D, const N: usize> {
-    /// The spin by the unknowns.
+    /// The derivative of the spin with respect to the unknowns.
     spin: SMatrix<D, 3, N>,
-    /// How what they feel of the moment changes with them, the moment held.
+    /// The derivative of the generalised moment with respect to the unknowns, with the moment held.
     bending: SMatrix<D, N, N>,
 }
 
@@ -31,7 +31,7 @@ impl<D: Scalar> Turning<D, 4> {
     }
 }
 
-/// The columns of spins by the unknowns in their places; those of translations as they are.
+/// Replaces the columns of spins by those of the unknowns; the columns of translations are unchanged.
 fn columns<D: Scalar, const ROWS: usize, const N: usize, const DOFS: usize>(
     by_spins: &SMatrix<D, ROWS, 12>,
     nodes: &[Turning<D, N>; 2],
@@ -47,9 +47,10 @@ fn columns<D: Scalar, const ROWS: usize, const N: usize, const DOFS: usize>(
 }
 
 impl<D: Scalar, const MULTIPLIERS: usize> Contribution<D, MULTIPLIERS> {
-    /// The same where the unknowns of both nodes are rotation vectors: u_a, ψ_a, u_b, ψ_b.
+    /// The same for nodes whose unknowns are rotation vectors: u_a, ψ_a, u_b, ψ_b.
     ///
-    /// A node's triad is that at ψ = 0 turned by ψ. At a whole turn the rows have no full rank: a program changes ψ before.
+    /// A node's triad is that at ψ = 0 rotated by ψ. At a whole turn the rows are rank-deficient: a program must change ψ before
+    /// that.
     ///
     /// ```
     /// use jointproof::connector::universal::{UniversalElement, UniversalStart};
@@ -71,15 +72,15 @@ impl<D: Scalar, const MULTIPLIERS: usize> Contribution<D, MULTIPLIERS> {
         self.with(&[0, 1].map(|k| Turning::by_rotation_vector(psi[k], self.moment(k))))
     }
 
-    /// The same where they are Euler parameters, unit quaternions (q0, q1, q2, q3): u_a, q_a, u_b, q_b, fourteen unknowns.
+    /// The same for Euler parameters, unit quaternions (q0, q1, q2, q3): u_a, q_a, u_b, q_b, fourteen unknowns.
     ///
-    /// The program holds the length of each quaternion.
+    /// The program must hold the length of each quaternion.
     #[must_use]
     pub fn by_euler_parameters(&self, q: [Vector4<D>; 2]) -> Contribution<D, MULTIPLIERS, 14> {
         self.with(&[0, 1].map(|k| Turning::by_euler_parameters(q[k], self.moment(k))))
     }
 
-    /// On node a or b.
+    /// The moment on node a or b.
     fn moment(&self, node: usize) -> Vector3<D> {
         self.forces.fixed_rows::<3>(6 * node + 3).into_owned()
     }

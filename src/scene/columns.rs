@@ -1,4 +1,4 @@
-//! Results of a scene as columns: an array per output, in a file that numpy opens.
+//! Results of a scene as columns: one array per output, in a file that numpy can open.
 
 use super::evaluate::Number;
 use super::model::Scene;
@@ -9,26 +9,26 @@ use crate::Octuple;
 use std::fmt;
 use std::io::{self, Seek, Write};
 
-/// All results of a scene over its states, an array for every output of an element, a set of elements or a slide line.
+/// All results of a scene over its states, one array for every output of an element, a set of elements or a slide line.
 ///
-/// They are the numbers of [`Results`](super::Results), without a vector or a name for every element of a set.
+/// They contain the numbers of [`Results`](super::Results), without a vector or a name for every element of a set.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Columns {
     /// The times of the states.
     pub times: Vec<f64>,
     /// Formulas, and how often each was evaluated.
     pub counts: Vec<(&'static str, usize)>,
-    /// Those of slide lines first, then those of the other elements in the order of the file.
+    /// First those of slide lines, then those of the other elements in the order of the file.
     pub columns: Vec<Column>,
 }
 
-/// Why columns could not be written.
+/// The reason why columns could not be written.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum Unwritten {
     /// There are no results.
     Stopped(Stopped),
-    /// What the file system says, or a name that an archive cannot hold.
+    /// An error of the file system, or a name that an archive cannot hold.
     Io(io::Error),
 }
 
@@ -62,9 +62,9 @@ pub struct Column {
     pub element: String,
     /// The output.
     pub output: &'static str,
-    /// How many numbers there are along each axis: states; the elements of a set; components, where there are several.
+    /// The number of numbers along each axis: states; the elements of a set; components, if there are several.
     pub shape: Vec<usize>,
-    /// State after state; NaN where an output is not there.
+    /// State after state; NaN where an output does not exist.
     pub numbers: Vec<f64>,
 }
 
@@ -126,7 +126,7 @@ impl Columns {
     /// with the number of states; `each` is called after every state.
     ///
     /// # Errors
-    /// What [`Columns::of`] and [`Columns::write`] say; what was written before is then no whole file.
+    /// As [`Columns::of`] and [`Columns::write`]; after an error the file is incomplete.
     pub fn stream(plan: &Plan<'_>, to: impl Write + Seek + Send, mut each: impl FnMut()) -> Result<(), Unwritten> {
         let mut run = Run::<f64>::new(plan)?;
         let gathered = run.gathered();
@@ -156,10 +156,10 @@ impl Columns {
         self.columns.iter().find(|column| column.element == element && column.output == output)
     }
 
-    /// Writes them to a file of arrays, the same bytes for the same numbers: `time`, then `guide/FN` and so on.
+    /// Writes them to a file of arrays, with the same bytes for the same numbers: `time`, then `guide/FN` and so on.
     ///
     /// # Errors
-    /// A name that an archive cannot hold, and what the file system says.
+    /// A name that an archive cannot hold, or an error of the file system.
     pub fn write(&self, to: impl Write) -> io::Result<()> {
         let mut arrays = Writer::new(to);
         arrays.write(Self::TIME, &[self.times.len()], &self.times)?;

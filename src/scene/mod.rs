@@ -1,10 +1,10 @@
-//! Scenes: connectors and constraints evaluated together, over a history of states, and nothing that is not wanted.
+//! Scenes: connectors and constraints evaluated together over a history of states, limited to what the outputs need.
 //!
-//! A scene is a JSON file: a dimension, nodes with orientations, elements of a [`Kind`] with parameters, frames that move
-//! nodes and load elements, and the outputs wanted, by name. [`Scene::parse`] reads it and reports every mistake
-//! with its place; [`Scene::parse_in`] also reads the file of arrays that it may name. [`Plan`] finds the least set of
-//! formulas that the outputs need; [`Run`] evaluates them state by state in `f64` or in 237 bits; [`Results`] collects what
-//! comes out by name, [`Columns`] as arrays.
+//! A scene is a JSON file: a dimension, nodes with orientations, elements of a [`Kind`] with parameters, frames that move nodes
+//! and load elements, and the names of the requested outputs. [`Scene::parse`] reads it and reports every mistake with its
+//! location; [`Scene::parse_in`] also reads the file of arrays that it may name. [`Plan`] finds the smallest set of formulas that
+//! the outputs need; [`Run`] evaluates them state by state in `f64` or in 237 bits; [`Results`] collects the results by name,
+//! [`Columns`] as arrays.
 //!
 //! ```
 //! use jointproof::scene::{Results, Scene};
@@ -38,9 +38,9 @@
 //!
 //! # Cost
 //!
-//! Time is linear in elements and states, and elements are spread over all cores; no element sees another, so the results
-//! have the same bits for every number of threads. Memory is bounded by what [`Run::bytes`] states, whatever
-//! the number of states; a history in columns stays in its file, which is read once to check it and once by every run.
+//! Time is linear in elements and states, and elements are distributed over all cores; elements are independent of each other, so
+//! the results have the same bits for every number of threads. Memory is bounded by [`Run::bytes`], whatever the number of
+//! states; a history in columns stays in its file, which is read once to check it and once by every run.
 
 mod columns;
 mod evaluate;

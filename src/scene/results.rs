@@ -36,19 +36,19 @@ pub struct Results {
     order: Order,
 }
 
-/// The places of series, sorted by element and output; made when it is asked for. Series are public: what it says is looked
-/// at before it is believed.
+/// The indices of series, sorted by element and output; created on demand. Series are public, so each entry is verified before it
+/// is used.
 #[derive(Debug, Default)]
 struct Order(OnceLock<Vec<usize>>);
 
-/// A copy may change.
+/// A copy may be modified.
 impl Clone for Order {
     fn clone(&self) -> Self {
         Self::default()
     }
 }
 
-/// Results are equal whoever has been asked.
+/// Equality of results does not depend on this cache.
 impl PartialEq for Order {
     fn eq(&self, _: &Self) -> bool {
         true
@@ -56,7 +56,7 @@ impl PartialEq for Order {
 }
 
 impl Order {
-    /// The place of a series.
+    /// The index of a series.
     fn find(&self, series: &[Series], element: &str, output: &str) -> Option<usize> {
         let name = |place: usize| series.get(place).map(|series| (series.element.as_str(), series.output));
         let order = self.0.get_or_init(|| {
@@ -79,7 +79,7 @@ impl Results {
     /// Evaluates a scene in `f64`.
     ///
     /// # Errors
-    /// A formula that is undefined in some state, and an array of the history that cannot be read.
+    /// A formula that is undefined in some state, or an array of the history that cannot be read.
     pub fn of(scene: &Scene) -> Result<Self, Stopped> {
         Self::in_number::<f64>(&Plan::new(scene))
     }
@@ -90,7 +90,7 @@ impl Results {
     /// As [`Results::of`].
     pub fn exact(scene: &Scene) -> Result<Self, Stopped> {
         let plan = Plan::new(scene);
-        // Whether inputs are allowed is asked in doubles.
+        // The validity of inputs is checked in doubles.
         Self::in_number::<f64>(&plan)?;
         Self::in_number::<Octuple>(&plan)
     }
@@ -111,7 +111,7 @@ impl Results {
             run.advance()?;
             each();
             times.push(time);
-            // In the same order in every state.
+            // The order is the same in every state.
             let (is_first, mut place) = (series.is_empty(), 0);
             run.for_each_result(elements, |element, output, components| {
                 if is_first {
@@ -129,10 +129,10 @@ impl Results {
         self.series[self.order.find(&self.series, element, output)?].values.get(state)
     }
 
-    /// The golden form: JSON with a series a line, numbers that read back bit for bit.
+    /// The golden form: JSON with one series per line, and numbers that are read back bit for bit.
     ///
     /// # Errors
-    /// None that JSON of numbers and names can have; `serde_json` says.
+    /// None for JSON of numbers and names; the type is that of `serde_json`.
     pub fn golden(&self) -> serde_json::Result<String> {
         let series: Vec<_> = self.series.iter().map(serde_json::to_string).collect::<Result<_, _>>()?;
         let head = serde_json::json!({ "title": self.title, "times": self.times });
@@ -159,7 +159,7 @@ mod tests {
             all.map(|(element, output)| order.find(series, element, output))
         };
         assert_eq!(places(&series), [Some(3), Some(2), Some(1), Some(0), Some(4), None, None]);
-        // The order that was made is not that of what is left.
+        // The cached order is not that of the remaining series.
         series.remove(1);
         assert_eq!(places(&series), [Some(2), Some(1), None, Some(0), Some(3), None, None]);
     }

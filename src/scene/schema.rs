@@ -1,11 +1,11 @@
-//! The JSON Schema of scene files, made from the tables that read them.
+//! The JSON Schema of scene files, generated from the tables that read them.
 
 use super::kind::{Dimension, Fallback, Kind};
 use super::read::keys;
 use crate::formula::quantity::{Domain, FRACTION, Quantity};
 use serde_json::{Map, Value, json};
 
-/// The schema: an editor that knows it completes names and marks mistakes while one writes.
+/// The schema: an editor that uses it completes names and marks mistakes during writing.
 pub fn schema() -> Value {
     let used = |dimension: &Dimension| Kind::all().any(|kind| kind.dimension == *dimension);
     let dimensions: Vec<_> = Dimension::ALL.into_iter().filter(used).map(of_dimension).collect();
@@ -65,7 +65,7 @@ fn of_dimension(dimension: Dimension) -> Value {
         properties.remove("slide_lines");
     }
     let mut schema = record(&properties, &["dimension", "nodes", "elements"]);
-    // Without a file of columns, no name stands for an array of it.
+    // Without a file of columns, the name of an array is not allowed in place of numbers.
     let numbers =
         kinds.iter().flat_map(|kind| kind.parameters()).map(|(name, _)| (name.into(), json!({ "type": "number" })));
     let of_each = |properties: Map<String, Value>| json!({ "additionalProperties": { "properties": properties } });
@@ -78,7 +78,7 @@ fn of_dimension(dimension: Dimension) -> Value {
     schema
 }
 
-/// The same, or the name of an array: what is said about a value counts for values of its type alone.
+/// The same, or the name of an array: constraints on a value apply only to values of its type.
 fn or_array(mut schema: Value) -> Value {
     schema["type"] = json!([schema["type"], "string"]);
     schema
@@ -97,7 +97,7 @@ fn orientation(dimension: Dimension) -> Value {
     schema
 }
 
-/// A slide line; the reader says which parameters of a law go together.
+/// A slide line; the reader checks which parameters of a law go together.
 fn slide_line() -> Value {
     let numbers = |keys: &[(&str, Domain)], required: &[&str]| {
         record(&keys.iter().map(|&(name, domain)| (name.into(), of_domain(domain))).collect(), required)

@@ -1,17 +1,17 @@
-//! The components of an output in every state, in one piece of memory.
+//! The components of an output in every state, contiguous in memory.
 
 use serde::{Serialize, Serializer};
 
 /// The components of an output of an element, state by state.
 ///
-/// There are as many in every state, or none: a torque is not there in every state.
+/// Their number is the same in every state, or zero: a torque does not exist in every state.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Values {
     numbers: Vec<f64>,
-    /// Components in a state that has any.
+    /// The number of components in a state that has any.
     width: usize,
     states: usize,
-    /// The states that have none, rising.
+    /// The states without components, in ascending order.
     empty: Vec<usize>,
 }
 
@@ -19,7 +19,7 @@ impl Values {
     /// Adds a state.
     ///
     /// # Panics
-    /// If it has components, and another number of them than a state before.
+    /// If it has components, but not as many as an earlier state.
     pub(super) fn push(&mut self, components: impl ExactSizeIterator<Item = f64>) {
         if components.len() == 0 {
             self.empty.push(self.states);
@@ -47,7 +47,7 @@ impl Values {
         (0..self.states).map(|state| self.get(state).unwrap_or_default())
     }
 
-    /// How many states.
+    /// The number of states.
     pub fn len(&self) -> usize {
         self.states
     }
@@ -57,7 +57,7 @@ impl Values {
         self.states == 0
     }
 
-    /// Components in a state that has any.
+    /// The number of components in a state that has any.
     pub fn width(&self) -> usize {
         self.width
     }
@@ -67,13 +67,13 @@ impl Values {
         &self.numbers
     }
 
-    /// All numbers, state after state, to be changed.
+    /// All numbers, state after state, for modification.
     pub fn numbers_mut(&mut self) -> &mut [f64] {
         &mut self.numbers
     }
 }
 
-/// A list a state.
+/// A list per state.
 impl Serialize for Values {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_seq(self.iter())

@@ -1,4 +1,4 @@
-//! What test files share: golden files, and strategies for inputs of any formula, drawn from the domains that its fields declare.
+//! Shared by test files: golden files, and strategies for inputs of any formula, drawn from the domains that its fields declare.
 
 use jointproof::catalog::AnyFormula;
 use jointproof::formula::Field;
@@ -6,8 +6,8 @@ use jointproof::formula::quantity::{Domain, Node, Shape};
 use jointproof::toolkit::verify::golden::File;
 use proptest::prelude::*;
 
-/// The golden file of a formula as it stands in the repository, which takes far less time than to compute it. That it is what the
-/// code says is tested in `golden.rs`.
+/// The committed golden file of a formula, which is much faster to read than to compute. Its agreement with the code is tested in
+/// `golden.rs`.
 pub fn golden(formula: &dyn AnyFormula) -> File {
     let path = format!("{}/golden/{}.json", env!("CARGO_MANIFEST_DIR"), formula.spec().id);
     let text =
@@ -15,17 +15,17 @@ pub fn golden(formula: &dyn AnyFormula) -> File {
     File::parse(&text).unwrap()
 }
 
-/// A number of either sign with a magnitude from 2⁻¹⁰ to 2¹⁰, as the bounds are stated for.
+/// A number of either sign with a magnitude from 2⁻¹⁰ to 2¹⁰, the range for which the bounds are stated.
 pub fn signed() -> impl Strategy<Value = f64> {
     (magnitude(), any::<bool>()).prop_map(|(x, negative)| if negative { -x } else { x })
 }
 
-/// A positive number from 2⁻¹⁰ to 2¹⁰, as the bounds are stated for, every power of two equally likely.
+/// A positive number from 2⁻¹⁰ to 2¹⁰, the range for which the bounds are stated, with every power of two equally likely.
 pub fn magnitude() -> impl Strategy<Value = f64> {
     (1.0..2.0_f64, -10..10).prop_map(|(mantissa, exponent)| mantissa * 2.0_f64.powi(exponent))
 }
 
-/// Any double at all: NaN, infinities, zeros and subnormals among them.
+/// Any double: including NaN, infinities, zeros and subnormals.
 pub fn anything() -> impl Strategy<Value = f64> {
     prop_oneof![
         4 => any::<f64>(),
@@ -33,7 +33,7 @@ pub fn anything() -> impl Strategy<Value = f64> {
     ]
 }
 
-/// A right-handed orthonormal triad, a row per vector.
+/// A right-handed orthonormal triad, one row per vector.
 pub fn rotation() -> impl Strategy<Value = [[f64; 3]; 3]> {
     let component = || prop_oneof![-1.0..-0.1, 0.1..1.0];
     [component(), component(), component(), component()].prop_map(|q: [f64; 4]| {

@@ -32,10 +32,10 @@ pub struct Align {
 }
 
 impl Align {
-    /// Keeps b at its initial orientation to a. Where none is given at b, a's is to be taken for both.
+    /// Keeps b at its initial orientation relative to a. If b has no triad of its own, pass that of a for both.
     ///
     /// # Errors
-    /// [`Error::GimbalLock`]: the second initial angle is ±90°; [`Error::IllConditioned`]: it is so near that
+    /// [`Error::GimbalLock`]: the second initial angle is ±90°; [`Error::IllConditioned`]: it is so close to ±90° that
     /// [`condition`](crate::element::cardan::condition) is above [`MOST_CONDITION`](crate::element::cardan::MOST_CONDITION).
     /// [`AlignFromStart`] is regular there.
     pub fn new(a: &Triad, b: &Triad) -> Result<Self, Error> {
@@ -49,11 +49,11 @@ impl Align {
         self.initial
     }
 
-    /// By how much b is out of alignment.
+    /// The deviation of b from its initial orientation.
     ///
-    /// These are the residuals of [`Constraint`](super::Constraint) made fit for programs: β by
-    /// [`BetaTwoArgument`](crate::element::cardan::BetaTwoArgument), and differences of α and γ as angles from −π to π, so that a joint
-    /// that starts at half a turn has no jump at its start.
+    /// These are the residuals of [`Constraint`](super::Constraint) in a form suited to programs: β is computed by
+    /// [`BetaTwoArgument`](crate::element::cardan::BetaTwoArgument), and the differences of α and γ are angles from −π to π, so
+    /// that a joint that starts at half a turn has no jump at its start.
     ///
     /// # Errors
     /// [`Error::GimbalLock`].
@@ -85,13 +85,13 @@ impl Align {
         value::<ConstraintMoment>(&Moments { e1a: a.e1(), e2a: a.e2(), e3a: a.e3(), m1, m2, m3 })
     }
 
-    /// The element that a solver calls, in any number.
+    /// The element that a solver calls.
     pub const fn element(&self) -> Parameters<AlignElement, f64, 3> {
         let Angles { alpha: alpha0, beta: beta0, gamma: gamma0 } = self.initial;
         Parameters { start: AlignStart { alpha0, beta0, gamma0 }, contact: None }
     }
 
-    /// What it adds to a step of Newton's method.
+    /// The contribution to a step of Newton's method.
     ///
     /// # Errors
     /// As [`Parameters::newton`].
@@ -101,11 +101,12 @@ impl Align {
     }
 }
 
-/// ALIGN's conditions by angles from the start, regular wherever b stands to a at the start.
+/// The conditions of ALIGN with angles measured from the start, regular for every initial orientation of b relative to a.
 ///
-/// With R of the entries `e_ia·e_jb` and R0 as it was at the start, Q = R R0ᵀ is how far b has turned since, in the axes of a.
-/// Held are its Cardan angles, 0 at the start: the same motions keep them as keep those of [`Align`], and near the start
-/// their derivative by a spin of b is the triad of a, of condition number 1, so that m1, m2, m3 are conjugate to them there.
+/// With the matrix R of entries `e_ia·e_jb` and its initial value R0, Q = R R0ᵀ is the rotation of b since the start, in the axes
+/// of a. The Cardan angles of Q, 0 at the start, are held: the same motions satisfy these conditions as those of [`Align`], and
+/// near the start their derivative with respect to a spin of b is the triad of a, of condition number 1, so that m1, m2, m3 are
+/// conjugate to them there.
 ///
 /// ```
 /// use jointproof::connector::{align::{Align, AlignFromStart}};
@@ -126,13 +127,13 @@ pub struct AlignFromStart {
 }
 
 impl AlignFromStart {
-    /// Keeps b at its initial orientation to a, whichever that is.
+    /// Keeps b at its initial orientation relative to a, whatever that is.
     pub fn new(a: &Triad, b: &Triad) -> Self {
         let columns = |t: &Triad| Matrix3::from_columns(&[t.e1(), t.e2(), t.e3()]);
         Self { initial: columns(a).transpose() * columns(b) }
     }
 
-    /// The triad of a, and that of b turned back by what it was turned at the start.
+    /// The triad of a, and that of b with its initial rotation relative to a undone.
     fn triads(&self, a: &Triad, b: &Triad) -> Triads<f64> {
         let back = |j: usize| {
             [b.e1(), b.e2(), b.e3()].iter().enumerate().map(|(k, e)| e * self.initial[(j, k)]).sum::<Vector3<f64>>()
@@ -140,10 +141,10 @@ impl AlignFromStart {
         Triads { e1a: a.e1(), e2a: a.e2(), e3a: a.e3(), e1b: back(0), e2b: back(1), e3b: back(2) }
     }
 
-    /// By how much b is out of alignment, about the axes of a.
+    /// The rotation of b out of alignment, about the axes of a.
     ///
     /// # Errors
-    /// [`Error::GimbalLock`]: b has turned by 90° about the second axis since the start.
+    /// [`Error::GimbalLock`]: b has rotated by 90° about the second axis since the start.
     pub fn constraint(&self, a: &Triad, b: &Triad) -> Result<Misalignment<f64>, Error> {
         let triads = self.triads(a, b);
         check_turns(&triads)?;

@@ -15,7 +15,7 @@ use crate::formula::{Component, Document, Field, Fields, Formula, Spec};
 use crate::number::scalar::Scalar;
 use nalgebra::Vector3;
 
-/// ALIGN as an element: the multipliers of the three angles.
+/// ALIGN as an element, with a multiplier for each of the three angles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct AlignElement;
 

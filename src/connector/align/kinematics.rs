@@ -1,4 +1,4 @@
-//! The residuals of the three angles, and the moment that holds them.
+//! The residuals of the three angles, and the constraint moment.
 
 #![expect(clippy::inline_always, reason = "a call would write the vectors to memory, and wait for them there")]
 
@@ -16,7 +16,7 @@ use crate::number::scalar::{Scalar, abs, pi, sign};
 use nalgebra::Vector3;
 
 fields! {
-    /// How both nodes are turned, and the initial angles.
+    /// The triads of both nodes, and the initial angles.
     pub struct Orientations<T> {
         e1a: Vector3<T> = E1A, e2a: Vector3<T> = E2A, e3a: Vector3<T> = E3A,
         e1b: Vector3<T> = E1B, e2b: Vector3<T> = E2B, e3b: Vector3<T> = E3B,
@@ -24,12 +24,12 @@ fields! {
     }
 }
 fields! {
-    /// By how much b is out of alignment.
+    /// The deviations of the angles from their initial values.
     pub struct Misalignment<T> { ur1: T = UR1, ur2: T = UR2, ur3: T = UR3 }
 }
 
 impl<T: Component> Orientations<T> {
-    /// From both triads and the initial angles.
+    /// Combines both triads with the initial angles.
     #[inline]
     pub const fn new(triads: &Triads<T>, initial: &Angles<T>) -> Self {
         let Triads { e1a, e2a, e3a, e1b, e2b, e3b } = *triads;
@@ -58,7 +58,7 @@ impl<D: Scalar> Oriented<D> for Orientations<D> {
 
 /// The three conditions that keep b aligned: α − α0 = 0, β − β0 = 0, γ − γ0 = 0.
 ///
-/// The differences are plain ones, as documented: where α or γ passes ±180° the residual jumps by a full turn.
+/// The differences are not reduced, as documented: the residual jumps by a full turn when α or γ passes ±180°.
 #[derive(Clone, Copy, Debug)]
 pub struct Constraint;
 
@@ -95,7 +95,7 @@ impl Formula for Constraint {
 }
 
 impl<D: Scalar> Misalignment<Orientations<D>> {
-    /// The derivatives of angles less their initial values.
+    /// The derivatives of the angles minus their initial values.
     #[inline(always)]
     pub(crate) fn since_start(angles: Angles<Triads<D>>) -> Self {
         let Angles { alpha, beta, gamma } = angles;
@@ -107,7 +107,7 @@ impl<D: Scalar> Misalignment<Orientations<D>> {
     }
 }
 
-/// The difference of two angles, less a full turn where it is beyond half a turn; π to the precision of `D`.
+/// The difference of two angles, brought back by a full turn if it exceeds half a turn, with π to the precision of `D`.
 #[inline]
 pub(crate) fn wrapped<D: Scalar>(difference: D) -> D {
     if abs(difference) <= pi::<D>() {
@@ -129,8 +129,8 @@ fields! {
 
 /// The moment that keeps b aligned: m = m1 e1a + m2 e2a + m3 e3a.
 ///
-/// Where the triads agree, it is the one that does work on (α, β, γ) as m1, m2, m3 do; elsewhere it is not, see the laws
-/// of [`Constraint`].
+/// Where the triads are equal, it is conjugate to (α, β, γ): m1, m2, m3 do work on these angles. Elsewhere it is not; see the
+/// laws of [`Constraint`].
 #[derive(Clone, Copy, Debug)]
 pub struct ConstraintMoment;
 

@@ -27,10 +27,10 @@ pub struct Join {
 }
 
 impl Join {
-    /// Keeps b where it is in the triad of a.
+    /// Keeps b at its initial position in the triad of a.
     ///
     /// # Errors
-    /// A position that is not finite, or so far that the relative position overflows.
+    /// A position that is not finite, or so large that the relative position overflows.
     pub fn new(initial: &Pose) -> Result<Self, Error> {
         let none = Self { d0: Vector3::zeros() };
         Ok(Self { d0: none.constraint(initial)?.g })
@@ -41,7 +41,7 @@ impl Join {
         self.d0
     }
 
-    /// By how much b is out of its place ([`Constraint`]).
+    /// The displacement of b from its initial position ([`Constraint`]).
     ///
     /// # Errors
     /// As [`Join::new`].
@@ -57,7 +57,7 @@ impl Join {
         value_and_jacobian::<Constraint>(&self.inputs(pose))
     }
 
-    /// The force on b that holds it in its place, in the global frame: f1 e1a + f2 e2a + f3 e3a.
+    /// The constraint force on b, in the global frame: f1 e1a + f2 e2a + f3 e3a.
     ///
     /// # Errors
     /// A force that is not finite, or one so large that the sum overflows.
@@ -68,12 +68,12 @@ impl Join {
         if f.iter().all(|f| f.is_finite()) { Ok(Force { f }) } else { Err(Error::Overflow { name: "f" }) }
     }
 
-    /// The element that a solver calls, in any number: its start.
+    /// The element that a solver calls: its start.
     pub const fn element(&self) -> Parameters<JoinElement, f64, 3> {
         Parameters { start: JoinStart { d0: self.d0 }, contact: None }
     }
 
-    /// What it adds to a step of Newton's method.
+    /// The contribution to a step of Newton's method.
     ///
     /// # Errors
     /// As [`Parameters::newton`].

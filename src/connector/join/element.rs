@@ -13,7 +13,7 @@ use crate::formula::{Component, Document, Field, Fields, Formula, Spec};
 use crate::number::scalar::Scalar;
 use nalgebra::Vector3;
 
-/// JOIN as an element: multipliers f1, f2 and f3.
+/// JOIN as an element, with the multipliers f1, f2 and f3.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct JoinElement;
 

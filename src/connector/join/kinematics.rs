@@ -1,4 +1,4 @@
-//! Where b is in the triad of a, against where it was at the start.
+//! The position of b in the triad of a, relative to its initial position.
 
 #![expect(clippy::inline_always, reason = "compiled in place, zeros that lie side by side are stored together")]
 
@@ -14,19 +14,19 @@ use crate::number::scalar::Scalar;
 use nalgebra::Vector3;
 
 fields! {
-    /// Where the nodes are, how node a is turned, and where b was at the start.
+    /// The positions of both nodes, the triad of a, and the initial position of b.
     pub struct Joined<T> {
         e1a: Vector3<T> = E1A, e2a: Vector3<T> = E2A, e3a: Vector3<T> = E3A,
         xa: Vector3<T> = XA, xb: Vector3<T> = XB, d0: Vector3<T> = D0,
     }
 }
 fields! {
-    /// By how much b is out of its place.
+    /// The displacement of b from its initial position.
     pub struct Displaced<T> { g: Vector3<T> = G_JOIN }
 }
 
 impl<T: Component> Joined<T> {
-    /// Without the initial position.
+    /// The inputs without the initial position.
     #[inline]
     const fn positions(&self) -> Positions<T> {
         let Self { e1a, e2a, e3a, xa, xb, .. } = *self;
@@ -40,7 +40,7 @@ impl<T: Component> Joined<T> {
     }
 }
 
-/// The three conditions that keep b in its place: g_i = e_ia·(xb − xa) − d0_i.
+/// The three conditions that keep b at its initial position: g_i = e_ia·(xb − xa) − d0_i.
 #[derive(Clone, Copy, Debug)]
 pub struct Constraint;
 

@@ -1,4 +1,4 @@
-//! The directions across the line as quotients: a vector of polynomials, divided by a root.
+//! The directions normal to the line as quotients: a vector of polynomials, divided by a root.
 
 #![expect(clippy::inline_always, reason = "where components stand is known where it is compiled in place")]
 
@@ -8,15 +8,15 @@ use crate::number::binade::Binade;
 use crate::number::scalar::{Scalar, number_if};
 use nalgebra::{Vector2, Vector3};
 
-/// A vector d in terms of the axis e whose cross product makes t1 = d×e/|d×e|: axis 1, or axis 3 where d2 = d3 = 0 exactly.
+/// A vector d in terms of the axis e in the cross product of t1 = d×e/|d×e|: axis 1, or axis 3 where d2 = d3 = 0 exactly.
 ///
 /// With e, a, b in cyclic order and c = (d_a, d_b): t1 ∥ (0, c_b, −c_a) and t2 ∥ (−c·c, d_e c_a, d_e c_b), their components along e, a, b.
-/// These vectors, the rays, are told in units that are powers of two, one for c and one for d_e, since the two may
-/// be of very different size. Where arithmetic is exact, sums of them are; only the division by their lengths rounds.
+/// These vectors, the rays, are scaled by powers of two, one for c and one for d_e, since the two may differ greatly in size.
+/// With exact arithmetic the sums of the rays are exact; only the division by their lengths rounds.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Across<D> {
     axis: Axis,
-    /// c with its square and its unit: the line as t1 sees it, projected along e.
+    /// c with its square and its unit: the projection of the line along e, as used by t1.
     pub(super) projected: Span<D, 2>,
     /// d_e.
     pub(super) along: D,
@@ -52,16 +52,16 @@ impl Axis {
     }
 }
 
-/// A formula of the directions across a line.
+/// A formula of the directions normal to a line.
 pub(super) trait AcrossLine: Formula {
-    /// Along the line.
+    /// The direction of the line.
     fn line<D: Scalar>(i: &Self::Inputs<D>) -> Vector3<D>;
     fn value<D: Scalar>(i: &Self::Inputs<D>, across: &Across<D>) -> Self::Outputs<D>;
     fn gradients<D: Scalar>(i: &Self::Inputs<D>, across: &Across<D>) -> Jacobian<Self, D>;
 }
 
-// For either axis a function is compiled, so that where a component stands is known there: in place about axis 1, as a call about
-// axis 3, which is rare. A closure for both would be left as a call.
+// One function is compiled per axis, so that the positions of components are known at compile time: inlined for axis 1, as a call
+// for axis 3, which is rare. A closure for both would not be inlined.
 
 /// The value of such a formula.
 #[inline(always)]
@@ -101,7 +101,7 @@ impl<D: Scalar> Across<D> {
         Self::about(Axis::of(d), d)
     }
 
-    /// About axis 3, if that is the one.
+    /// About axis 3, if it applies.
     #[inline(always)]
     fn about_k(d: &Vector3<D>) -> Option<Self> {
         let axis = Axis::of(d);
@@ -111,7 +111,7 @@ impl<D: Scalar> Across<D> {
         })
     }
 
-    /// About axis 1, if the other one is not.
+    /// About axis 1; NaN if axis 3 applies.
     #[inline(always)]
     fn about_i(d: &Vector3<D>) -> Self {
         let Axis { along_i } = Axis::of(d);
@@ -168,8 +168,8 @@ impl<D: Scalar> Across<D> {
         [v.perp(&c), self.along * c.dot(&v) - square * (v_axis * self.ratio)]
     }
 
-    /// How the second ray's product with v varies with d because d turns about the axis, per product of the first ray with v:
-    /// κ t1, κ = d_e/(l h), with the ray's length.
+    /// The variation of the second ray's product with v due to the rotation of d about the axis, per product of the first ray
+    /// with v: κ t1, κ = d_e/(l h), times the length of the ray.
     #[inline]
     pub(super) fn twist(&self, sideward: D) -> Vector3<D> {
         let c = self.projected.d;

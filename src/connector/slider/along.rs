@@ -1,5 +1,5 @@
-//! Where m is along the line of a SLIDER, in space and in the plane: what nodes 1 and n take of the force on it, and the gradients of
-//! numbers that are linear in the multipliers.
+//! The position of m along the line of a SLIDER, in space and in the plane: the shares of nodes 1 and n in the force on m, and
+//! the gradients of numbers that are linear in the multipliers.
 
 #![expect(clippy::inline_always, reason = "the compiler shares what rows, forces and stiffness have of the line")]
 
@@ -7,19 +7,19 @@ use crate::connector::slider::{Span, Station};
 use crate::number::scalar::Scalar;
 use nalgebra::SVector;
 
-/// ξ or 1 − ξ, with a sign: the value, and the derivative by ξ.
+/// ξ or 1 − ξ, with a sign: the value, and the derivative with respect to ξ.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Weight<D> {
     pub(super) value: D,
     pub(super) slope: f64,
 }
 
-/// Where m is along the line, in as many dimensions as the model has.
+/// The position of m along the line, in 2 or 3 dimensions.
 pub(super) struct Along<D, const N: usize> {
     /// ξ, 1 − ξ.
     pub(super) share: D,
     pub(super) rest: D,
-    /// ∂ξ by the positions of nodes 1, n and m.
+    /// ∂ξ with respect to the positions of nodes 1, n and m.
     by_nodes: [SVector<D, N>; 3],
 }
 
@@ -44,34 +44,34 @@ impl<D: Scalar, const N: usize> Along<D, N> {
         Weight { value: self.rest * sign, slope: -sign }
     }
 
-    /// What nodes 1 and n take of the force on m.
+    /// The weights of the force on m in the forces on nodes 1 and n.
     #[inline(always)]
     pub(super) fn lever(&self) -> [Weight<D>; 2] {
         [self.rest(-1.0), self.share(-1.0)]
     }
 
-    /// The gradient of a weighted number by the positions of nodes 1, n and m, from that of the number by d.
+    /// The gradient of a weighted number with respect to the positions of nodes 1, n and m, from its gradient with respect to d.
     #[inline(always)]
     pub(super) fn gradient(&self, weight: Weight<D>, number: D, by_d: &SVector<D, N>) -> [SVector<D, N>; 3] {
         self.moved_and_turned(weight.slope, number, by_d * weight.value)
     }
 
-    /// The gradient of something whose derivative by ξ is a number times a sign, and that by d is given.
+    /// A gradient from the derivative with respect to ξ, a number times a sign, and the derivative with respect to d.
     #[inline(always)]
     pub(super) fn moved_and_turned(&self, sign: f64, number: D, by_d: SVector<D, N>) -> [SVector<D, N>; 3] {
-        // The sign comes last: so the products are the same for all that differs by it.
+        // The sign comes last, so that results that differ only in the sign share the products.
         let [x1, xn, xm] = self.by_nodes.map(|by| by * number * D::from(sign));
         [x1 - by_d, xn + by_d, xm]
     }
 }
 
-/// The gradient of something that changes with d alone.
+/// The gradient of a number that depends on d alone.
 #[inline(always)]
 pub(super) fn turned<D: Scalar, const N: usize>(by_d: &SVector<D, N>) -> [SVector<D, N>; 3] {
     [-by_d, *by_d, SVector::from_element(D::zero())]
 }
 
-/// A gradient by the positions of nodes 1, n and m, and by the multipliers.
+/// A gradient with respect to the positions of nodes 1, n and m, and to the multipliers.
 pub(super) type LoadsGradient<D, const N: usize, const M: usize> = ([SVector<D, N>; 3], [D; M]);
 
 /// A number that is linear in the multipliers, with its derivatives.
@@ -83,7 +83,7 @@ pub(super) struct Loaded<D, const N: usize, const M: usize> {
 }
 
 impl<D: Scalar, const N: usize, const M: usize> Loaded<D, N, M> {
-    /// The sum of numbers with their multipliers, from the numbers and their gradients by d.
+    /// The sum of numbers times multipliers, from the numbers and their gradients with respect to d.
     #[inline(always)]
     pub(super) fn new(multipliers: [D; M], numbers: [D; M], by_d: [SVector<D, N>; M]) -> Self {
         let (mut value, mut turned) = (numbers[0] * multipliers[0], by_d[0] * multipliers[0]);

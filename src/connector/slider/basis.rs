@@ -1,4 +1,4 @@
-//! The documented directions across the line, t1 and t2, and how they vary with it.
+//! The documented directions normal to the line, t1 and t2, and their variation with it.
 
 #[cfg(feature = "verify")]
 mod proof;
@@ -17,11 +17,11 @@ fields! {
     pub struct LineDirection<T> { n: Vector3<T> = SLIDER_N }
 }
 fields! {
-    /// Two directions across the line, perpendicular to it and to each other.
+    /// Two directions normal to the line, perpendicular to each other.
     pub struct Tangents<T> { t1: Vector3<T> = SLIDER_T1, t2: Vector3<T> = SLIDER_T2 }
 }
 
-/// The directions across: t1 = n×i/|n×i|, or n×k/|n×k| where n2 = n3 = 0 exactly; t2 = n×t1.
+/// The directions normal to the line: t1 = n×i/|n×i|, or n×k/|n×k| where n2 = n3 = 0 exactly; t2 = n×t1.
 ///
 /// With h = |(n2, n3)|: t1 = (0, n3, −n2)/h and t2 = (−h, n1 n2/h, n1 n3/h).
 #[derive(Clone, Copy, Debug)]
@@ -98,7 +98,7 @@ impl Formula for Basis {
     }
 }
 
-/// The unit vector (ca, cb) away from the axis, and the gradients of its components by (n_a, n_b).
+/// The unit vector (ca, cb) away from the axis, and the gradients of its components with respect to (n_a, n_b).
 struct Azimuth<D> {
     ca: D,
     cb: D,
@@ -129,13 +129,13 @@ fields! {
     pub struct TurningDirection<T> { n: Vector3<T> = SLIDER_N, dn: Vector3<T> = SLIDER_DN }
 }
 fields! {
-    /// Variations of the two directions across the line.
+    /// Variations of the two directions normal to the line.
     pub struct TangentChanges<T> { dt1: Vector3<T> = SLIDER_DT1, dt2: Vector3<T> = SLIDER_DT2 }
 }
 
 /// The directional derivative of [`Basis`] along dn.
 ///
-/// With t1 = (0, c3, −c2), (c2, c3) = (n2, n3)/h and the angular velocity ω = (c2 dn3 − c3 dn2)/h around axis 1:
+/// With t1 = (0, c3, −c2), (c2, c3) = (n2, n3)/h and the angular velocity ω = (c2 dn3 − c3 dn2)/h about axis 1:
 /// dt1 = (0, c2 ω, c3 ω), dt2 = (−(c2 dn2 + c3 dn3), c2 dn1 − n1 c3 ω, c3 dn1 + n1 c2 ω). As n approaches ±i, ω grows
 /// without bound; where n2 = n3 = 0 exactly, the axes are those of n×k, as in [`Basis`].
 #[derive(Clone, Copy, Debug)]
@@ -171,7 +171,7 @@ impl AcrossLine for BasisVariation {
         let omega_n = [difference * dn_b + sum * dn_a, difference * dn_a - sum * dn_b].map(|x| x * by * by);
         let omega_dn = [-cb * by, ca * by];
 
-        // Gradients along a and b: of x u + y v, where x and y are held; of c ω, by n and by dn.
+        // Gradients along a and b: those of x u + y v with x and y held, and of c ω, with respect to n and to dn.
         let sum_of = |x: D, u: [D; 2], y: D, v: [D; 2]| [x * u[0] + y * v[0], x * u[1] + y * v[1]];
         let (a_n, a_dn) = (sum_of(omega, ca_n, ca, omega_n), omega_dn.map(|x| ca * x));
         let (b_n, b_dn) = (sum_of(omega, cb_n, cb, omega_n), omega_dn.map(|x| cb * x));

@@ -34,8 +34,8 @@ pub struct Slider {
     xn: Vector3<f64>,
 }
 
-/// What a finite-element code needs of an eliminated node: the increments (δxm_i, δxm_j) as a linear function of
-/// δx1, δxn and δxm_k.
+/// The coefficients of an eliminated node for a finite-element code: the increments (δxm_i, δxm_j) as a linear function of δx1,
+/// δxn and δxm_k.
 ///
 /// ```
 /// use jointproof::connector::slider::Slider;
@@ -51,7 +51,7 @@ pub struct Slider {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Coefficients {
-    /// The axes: rows i and j, kept k.
+    /// The axes: rows i and j, and the kept axis k.
     pub pivots: Pivots,
     /// Coefficients of δx1: a row for δxm_i, a row for δxm_j.
     pub x1: Matrix2x3<f64>,
@@ -62,7 +62,7 @@ pub struct Coefficients {
 }
 
 impl Coefficients {
-    /// All of them: columns δx1 (3), δxn (3), δxm_k.
+    /// All coefficients: columns δx1 (3), δxn (3), δxm_k.
     pub fn matrix(&self) -> SMatrix<f64, 2, 7> {
         let Self { x1, xn, xmk, .. } = self;
         SMatrix::from_fn(|row, column| match column {
@@ -72,7 +72,7 @@ impl Coefficients {
         })
     }
 
-    /// As two equations: of the coordinates i and j of node m.
+    /// The two equations of the coordinates i and j of node m.
     pub fn equations(&self) -> [LinearEquation; 2] {
         let Self { pivots, x1, xn, xmk } = self;
         [(0, pivots.i), (1, pivots.j)]
@@ -80,7 +80,7 @@ impl Coefficients {
     }
 }
 
-/// The constraint, and its first and second derivative along a motion of the nodes.
+/// The constraint, and its first and second derivatives along a motion of the nodes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Variations {
     /// The value.
@@ -106,7 +106,7 @@ impl Slider {
         Line::eval(&Ends { x1: self.x1, xn: self.xn })
     }
 
-    /// The documented directions across the line ([`Basis`]).
+    /// The documented directions normal to the line ([`Basis`]).
     pub fn basis(&self) -> Tangents<f64> {
         Basis::eval(&LineDirection { n: self.line().n })
     }
@@ -116,7 +116,7 @@ impl Slider {
         Pivots::new(&self.x1, &self.xn)
     }
 
-    /// How far m is off the line ([`Constraint`]).
+    /// The distance of m from the line ([`Constraint`]).
     ///
     /// # Errors
     /// A position that is not finite.
@@ -135,9 +135,9 @@ impl Slider {
     /// The constraint with its first and second derivative along a motion of the three nodes: δg = ∂g·δ and δ²g = δ·∂²g·δ,
     /// by second-order dual numbers.
     ///
-    /// Newton's method needs both: the first is a row of the constraint's matrix, and the second, times the Lagrange
-    /// multiplier, is what the constraint adds to the stiffness, along this motion. Two motions u and v mixed follow from three calls:
-    /// 2 u·∂²g·v = δ²g(u + v) − δ²g(u) − δ²g(v).
+    /// Newton's method needs both: the first is a row of the constraint's matrix, and the second, times the Lagrange multiplier,
+    /// is the contribution of the constraint to the stiffness along this motion. The mixed derivative of two motions u and v
+    /// follows from three calls: 2 u·∂²g·v = δ²g(u + v) − δ²g(u) − δ²g(v).
     ///
     /// ```
     /// use jointproof::connector::slider::{Nodes, Slider};
@@ -180,12 +180,12 @@ impl Slider {
     /// Two coordinates of m from the kept one ([`Eliminate`]).
     ///
     /// # Errors
-    /// A coordinate that is not finite, or so far that a result overflows.
+    /// A coordinate that is not finite, or so large that a result overflows.
     pub fn eliminate(&self, xmk: f64) -> Result<Coordinates<f64>, Error> {
         value::<Eliminate>(&KeptCoordinate { x1: self.x1, xn: self.xn, xmk })
     }
 
-    /// Puts m on the line: keeps its coordinate k and replaces the other two.
+    /// Moves m onto the line: keeps its coordinate k and replaces the other two.
     ///
     /// # Errors
     /// As [`Slider::eliminate`].
@@ -196,7 +196,7 @@ impl Slider {
         Ok(placed([(i, xmi), (j, xmj), (k, xm[k])]))
     }
 
-    /// The increment of m for increments of the nodes and the kept one of its own ([`Increment`]).
+    /// The increment of m from the increments of nodes 1 and n and the kept increment of m ([`Increment`]).
     ///
     /// ```
     /// use jointproof::connector::slider::Slider;
@@ -241,7 +241,8 @@ impl Slider {
         })
     }
 
-    /// The same as two linear equations, ready to be written as `*EQUATION`: the first term of each is eliminated, the second kept.
+    /// The same as two linear equations, ready to be written as `*EQUATION`: the first term of each is eliminated, the second is
+    /// kept.
     ///
     /// ```
     /// use jointproof::connector::slider::{LineNode, Slider, Term};
@@ -265,7 +266,7 @@ impl Slider {
         Nodes { x1: self.x1, xn: self.xn, xm }
     }
 
-    /// What the element with m here adds to a step of Newton's method.
+    /// The contribution to a step of Newton's method, with m at this position.
     ///
     /// # Errors
     /// As [`Parameters::newton`].

@@ -30,7 +30,8 @@ pub struct Slider2d {
     xn: Vector2<f64>,
 }
 
-/// What a finite-element code needs of an eliminated node in the plane: δxm_i as a linear function of δx1, δxn and δxm_k.
+/// The coefficients of an eliminated node for a finite-element code, in the plane: δxm_i as a linear function of δx1, δxn and
+/// δxm_k.
 ///
 /// ```
 /// use jointproof::connector::slider::Slider2d;
@@ -43,7 +44,7 @@ pub struct Slider2d {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Coefficients2d {
-    /// The axes: eliminated i, kept k.
+    /// The eliminated axis i and the kept axis k.
     pub pivots: Pivots2d,
     /// Coefficients of δx1.
     pub x1: Vector2<f64>,
@@ -54,12 +55,12 @@ pub struct Coefficients2d {
 }
 
 impl Coefficients2d {
-    /// All of them: columns δx1 (2), δxn (2), δxm_k.
+    /// All coefficients: columns δx1 (2), δxn (2), δxm_k.
     pub fn matrix(&self) -> SMatrix<f64, 1, 5> {
         SMatrix::from([[self.x1.x], [self.x1.y], [self.xn.x], [self.xn.y], [self.xmk]])
     }
 
-    /// As an equation of the coordinate i of node m.
+    /// The equation of the coordinate i of node m.
     pub fn equation(&self) -> LinearEquation {
         let Self { pivots, x1, xn, xmk } = self;
         LinearEquation::new(pivots.i, (pivots.k, *xmk), x1.iter(), xn.iter())
@@ -84,7 +85,7 @@ impl Slider2d {
         Pivots2d::new(&self.x1, &self.xn)
     }
 
-    /// How far m is off the line ([`Constraint2d`]).
+    /// The distance of m from the line ([`Constraint2d`]).
     ///
     /// # Errors
     /// A position that is not finite.
@@ -106,12 +107,12 @@ impl Slider2d {
     /// The eliminated coordinate of m from the kept one ([`Eliminate2d`]).
     ///
     /// # Errors
-    /// A coordinate that is not finite, or so far that the result overflows.
+    /// A coordinate that is not finite, or so large that the result overflows.
     pub fn eliminate(&self, xmk: f64) -> Result<f64, Error> {
         Ok(value::<Eliminate2d>(&KeptCoordinate2d { x1: self.x1, xn: self.xn, xmk })?.xmi)
     }
 
-    /// Puts m on the line: keeps its coordinate k and replaces the other.
+    /// Moves m onto the line: keeps its coordinate k and replaces the other.
     ///
     /// # Errors
     /// As [`Slider2d::eliminate`].
@@ -121,7 +122,7 @@ impl Slider2d {
         Ok(placed([(i, self.eliminate(xm[k])?), (k, xm[k])]))
     }
 
-    /// By how much increments of all three nodes violate the condition ([`IncrementalConstraint2d`]).
+    /// The residual of the condition for increments of all three nodes ([`IncrementalConstraint2d`]).
     ///
     /// ```
     /// use jointproof::connector::slider::Slider2d;
@@ -148,7 +149,7 @@ impl Slider2d {
         Ok(value::<IncrementalConstraint2d>(&MovingNodes2d { x1, xn, xm, dx1, dxn, dxm })?.r)
     }
 
-    /// The increment of m for increments of the nodes and the kept one of its own ([`Increment2d`]).
+    /// The increment of m from the increments of nodes 1 and n and the kept increment of m ([`Increment2d`]).
     ///
     /// # Errors
     /// An increment or position that is not finite, or so large that a result overflows.
@@ -176,7 +177,7 @@ impl Slider2d {
         Ok(Coefficients2d { pivots: self.pivots(), x1: dx1, xn: dxn, xmk: dxmk })
     }
 
-    /// The same as a linear equation, ready to be written as `*EQUATION`: the first term is eliminated, the second kept.
+    /// The same as a linear equation, ready to be written as `*EQUATION`: the first term is eliminated, the second is kept.
     ///
     /// # Errors
     /// As [`Slider2d::coefficients`].
@@ -184,7 +185,7 @@ impl Slider2d {
         Ok(self.coefficients(xm)?.equation())
     }
 
-    /// What the element with m here adds to a step of Newton's method.
+    /// The contribution to a step of Newton's method, with m at this position.
     ///
     /// # Errors
     /// As [`Parameters::newton`].

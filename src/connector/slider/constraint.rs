@@ -1,4 +1,4 @@
-//! The two conditions that hold node m on the line, and what they demand of increments.
+//! The two conditions that hold node m on the line, and the resulting conditions on increments.
 
 #[cfg(feature = "verify")]
 mod proof;
@@ -21,22 +21,22 @@ fields! {
     pub struct Nodes<T> { x1: Vector3<T> = SLIDER_X1, xn: Vector3<T> = SLIDER_XN, xm: Vector3<T> = SLIDER_XM }
 }
 fields! {
-    /// How far m is off the line.
+    /// The distances of m from the line.
     pub struct Distances<T> { g1: T = SLIDER_G1, g2: T = SLIDER_G2 }
 }
 
 /// The two conditions that hold m on the line: g1 = (xm − x1)·t1 = 0, g2 = (xm − x1)·t2 = 0.
 ///
-/// Any point of the line may stand in for x1; the nearer of nodes 1 and n does.
+/// Any point of the line may replace x1; the nearer of nodes 1 and n is used.
 #[derive(Clone, Copy, Debug)]
 pub struct Constraint;
 
-/// Node m as both directions across the line see it.
+/// The position of node m relative to both directions normal to the line.
 struct View<D> {
     across: Across<D>,
-    /// Along the line.
+    /// The position along the line.
     station: Station<D, 3>,
-    /// Along the projection of the line that t1 sees.
+    /// The position along the projection of the line that t1 depends on.
     projected: Station<D, 2>,
 }
 
@@ -49,7 +49,7 @@ impl<D: Scalar> View<D> {
         Self { across, station: Station::new(&Span::new(&i.x1, &i.xn), &i.x1, &i.xn, &i.xm), projected }
     }
 
-    /// g1 times the length of its ray.
+    /// g1 times the length of the first ray.
     #[inline]
     fn sideward(&self) -> D {
         self.projected.offset.perp(&self.across.projected.d)
@@ -61,8 +61,8 @@ impl<D: Scalar> View<D> {
         Distances { g1: self.sideward() / root_1, g2: along_2 / root_2 }
     }
 
-    /// With d = xn − x1, ∂g1/∂d = −ξ′ t1, where ξ′ is the share of m in the projection that t1 sees, and ∂g2/∂d = −ξ t2 +
-    /// (n·i) g1/|i × d| t1: t2 turns with the line, and with t1 about i.
+    /// With d = xn − x1, ∂g1/∂d = −ξ′ t1, where ξ′ is the fraction of m along the projection that t1 depends on, and ∂g2/∂d = −ξ
+    /// t2 + (n·i) g1/|i × d| t1: t2 rotates with the line, and with t1 about i.
     #[inline]
     fn gradients(&self) -> Distances<Nodes<D>> {
         let ([ray_1, ray_2], [root_1, root_2]) = (self.across.rays(), self.across.roots);
@@ -87,7 +87,8 @@ impl Formula for Constraint {
     )
     .equation(r"g_q = (\mathbf{x}_m-\mathbf{x}_1)\cdot\mathbf{t}_q,\quad q = 1, 2")
     .given(&[Given::new(r"\mathbf{t}_1,\ \mathbf{t}_2", &Basis::SPEC), Given::new(r"\mathbf{n}", &Line::SPEC)])
-    // An entry of ∂g2 is a sum of a turn about i and one across it; where they cancel, the sum keeps their roundings.
+    // An entry of ∂g2 is the sum of the effects of a rotation about i and of one normal to it; where they cancel, their rounding
+    // errors remain in the sum.
     .eta(4.0, 24.0)
     .normwise(4.0, 6.0)
     .scale(1e250)
@@ -126,11 +127,11 @@ fields! {
     }
 }
 fields! {
-    /// By how much increments violate the two conditions.
+    /// The residuals of the two conditions for increments.
     pub struct IncrementalResiduals<T> { r1: T = SLIDER_R1, r2: T = SLIDER_R2 }
 }
 
-/// What the conditions demand of increments, with the variations of t1 and t2 eliminated:
+/// The two conditions on increments, with the variations of t1 and t2 eliminated:
 /// r_q = t_q·(dxm − (1−ξ) dx1 − ξ dxn) = 0, ξ = (xm − x1)·n/l.
 #[derive(Clone, Copy, Debug)]
 pub struct IncrementalConstraint;
@@ -158,7 +159,7 @@ impl AcrossLine for IncrementalConstraint {
         let ([share, rest], [share_x1, share_xn, share_xm]) = (station.shares(), station.gradients(&span));
         let v = i.dxm - station.blend(&i.dx1, &i.dxn);
         let share_v = v.dot(&span.d) * span.factor();
-        // Everything times the length of the ray, from which the rows are freed in the end.
+        // All terms are multiplied by the length of the ray; the rows are divided by it at the end.
         let (ray, gain) = (across.rays(), across.along_rays(&(i.dxn - i.dx1)));
         let twist = across.twist(across.split(&v).1.perp(&across.projected.d));
         let turning = [ray[0] * -across.share_outward(&v), twist - ray[1] * share_v];

@@ -1,8 +1,8 @@
 //! SLIDER, in space and in a plane: translations of three nodes, no spins.
 //!
-//! Rows and forces are those of m on the line, and the stiffness is the derivative of these forces, wherever m is. On the line
-//! it does in every motion along the constraint what Σ λ ∂²g does there; beside it, by as much as Newton's method has not yet
-//! closed, it keeps the convergence quadratic, which Σ λ ∂²g does not.
+//! Rows and forces are those of m on the line, and the stiffness is the derivative of these forces, wherever m is. With m on the
+//! line it equals Σ λ ∂²g in every motion that satisfies the constraint; with m off the line, by the residual that Newton's
+//! method has not yet closed, it keeps the convergence quadratic, which Σ λ ∂²g does not.
 
 #[cfg(feature = "verify")]
 mod proof;
@@ -20,14 +20,14 @@ use crate::formula::{Component, Document, Field, Fields, Formula, Spec};
 use crate::number::scalar::Scalar;
 use nalgebra::{SMatrix, SVector, Vector1, Vector2};
 
-/// SLIDER as an element: multipliers λ1 and λ2 across the line, and the translations of nodes 1, n and m.
+/// SLIDER as an element: multipliers λ1 and λ2 normal to the line, and the translations of nodes 1, n and m.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SliderElement;
 
-/// SLIDER in the plane, (x, y) or (r, z), as an element: the multiplier λ across the line, and the translations of nodes 1, n
+/// SLIDER in the plane, (x, y) or (r, z), as an element: the multiplier λ normal to the line, and the translations of nodes 1, n
 /// and m.
 ///
-/// Of an axisymmetric model λ is the force on the whole circumference.
+/// In an axisymmetric model λ is the force on the whole circumference.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SliderElement2d;
 

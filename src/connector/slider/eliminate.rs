@@ -28,14 +28,14 @@ fields! {
     pub struct Coordinates<T> { xmi: T = SLIDER_XMI, xmj: T = SLIDER_XMJ }
 }
 
-/// The place of m on the line from one coordinate: xm_i = x1_i + (n_i/n_k)(xm_k − x1_k), and the same for j.
+/// The position of m on the line from one coordinate: xm_i = x1_i + (n_i/n_k)(xm_k − x1_k), and the same for j.
 ///
-/// The axes are those of [`Pivots`](super::Pivots). Any point of the line may stand in for x1; the nearer of nodes 1 and n does.
+/// The axes are those of [`Pivots`](super::Pivots). Any point of the line may replace x1; the nearer of nodes 1 and n is used.
 #[derive(Clone, Copy, Debug)]
 pub struct Eliminate;
 
 impl<D: Scalar> KeptCoordinate<D> {
-    /// Where on the line m is.
+    /// The position of m on the line.
     #[inline(always)]
     fn place(&self) -> Place<D, Spatial, 3> {
         Place::new(&self.x1, &self.xn, Spatial::new(&self.x1, &self.xn), self.xmk)
@@ -108,7 +108,7 @@ fields! {
 /// The eliminated increments of m: with w = (1−ξ) dx1 + ξ dxn and ξ = (xm − x1)·n/l,
 /// dxm_i = w_i + (n_i/n_k)(dxm_k − w_k), and the same for j.
 ///
-/// No direction across the line is needed, and nothing grows without bound as n approaches ±i.
+/// No direction normal to the line is needed, and nothing grows without bound as n approaches ±i.
 #[derive(Clone, Copy, Debug)]
 pub struct Increment;
 

@@ -1,4 +1,4 @@
-//! The eliminated form at a state as linear equations, which say themselves what is eliminated and what is kept.
+//! The eliminated form at a state as linear equations, whose order of terms shows what is eliminated and what is kept.
 
 use arrayvec::ArrayVec;
 use std::fmt::{Display, Formatter, Result};
@@ -6,9 +6,9 @@ use std::fmt::{Display, Formatter, Result};
 /// A node of a SLIDER.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum LineNode {
-    /// Node 1, where the line begins.
+    /// Node 1, the start of the line.
     One,
-    /// Node n, where the line ends.
+    /// Node n, the end of the line.
     N,
     /// Node m, which slides.
     M,
@@ -17,16 +17,16 @@ pub enum LineNode {
 /// A coefficient times a displacement.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Term {
-    /// Whose displacement.
+    /// The displaced node.
     pub node: LineNode,
-    /// Along which axis, counted from 0.
+    /// The axis of the displacement, counted from 0.
     pub axis: usize,
-    /// What it is multiplied by; never 0.
+    /// The coefficient of the displacement; never 0.
     pub coefficient: f64,
 }
 
-/// A sum of displacements that is 0. The first term is that of the eliminated one, with the coefficient 1; the second that of the
-/// kept one of node m, unless it does not count.
+/// A sum of displacements that is 0. The first term is the eliminated displacement, with the coefficient 1; the second is the
+/// kept one of node m, unless its coefficient is 0.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LinearEquation {
     terms: ArrayVec<Term, 8>,
@@ -54,8 +54,8 @@ impl LinearEquation {
         &self.terms
     }
 
-    /// As `*EQUATION` of Abaqus and CalculiX, with the numbers of nodes 1, n and m. These programs read 20 characters of a
-    /// number, so that 13 digits are written.
+    /// As `*EQUATION` of Abaqus and CalculiX, with the numbers of nodes 1, n and m. These programs read 20 characters per number,
+    /// so 13 digits are written.
     ///
     /// ```
     /// use jointproof::connector::slider::Slider2d;
@@ -76,7 +76,7 @@ impl LinearEquation {
     }
 }
 
-/// An equation, and what its nodes are called.
+/// An equation, and the numbers of its nodes.
 struct Card<'a> {
     equation: &'a LinearEquation,
     nodes: [u32; 3],

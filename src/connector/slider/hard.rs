@@ -1,5 +1,5 @@
-//! Lines that are numerically hard, places of node m on and off them, and lines at which pivots change; every formula of
-//! the slider is tested there.
+//! Lines that are numerically hard, positions of node m on and off them, and lines at which pivots change; every formula of the
+//! slider is tested there.
 
 use crate::Octuple;
 use crate::formula::Formula;
@@ -7,7 +7,7 @@ use crate::formula::proof::Kink;
 use crate::number::scalar::abs;
 use nalgebra::{SVector, Vector2, Vector3};
 
-/// A line from x1 to xn, and what is hard about it.
+/// A line from x1 to xn, and the reason why it is hard.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct HardLine<const N: usize> {
     pub(crate) id: &'static str,
@@ -26,12 +26,12 @@ impl<const N: usize> HardLine<N> {
         self.x1 + (self.xn - self.x1) * xi
     }
 
-    /// Increments of nodes 1 and n that are of no special kind, in proportion to the line.
+    /// Arbitrary increments of nodes 1 and n, in proportion to the line.
     pub(crate) fn motion(&self) -> [SVector<f64, N>; 2] {
         [[0.01, -0.02, 0.035], [-0.015, 0.03, 0.0125]].map(|motion| self.scaled(motion))
     }
 
-    /// Node m on the line inside and far outside the segment, at both ends, and off the line; named.
+    /// Named positions of node m: on the line inside and far outside the segment, near and at node n, and off the line.
     pub(crate) fn places(&self) -> [(&'static str, SVector<f64, N>); 6] {
         [
             ("", self.at(0.375)),
@@ -48,7 +48,7 @@ impl<const N: usize> HardLine<N> {
     }
 }
 
-/// Every line with node m on it, and once more with m at one of the harder places, by turns; named.
+/// Every line with node m on it, and again with m at one of the harder positions in turn, with names.
 pub(crate) fn scenes<const N: usize>(lines: Vec<HardLine<N>>) -> Vec<(String, HardLine<N>, SVector<f64, N>)> {
     let of_line = |(turn, line): (usize, HardLine<N>)| {
         let places = line.places();
@@ -115,7 +115,7 @@ pub(crate) fn lines() -> Vec<HardLine<3>> {
     ]
 }
 
-/// The same in the plane.
+/// The lines in the plane.
 pub(crate) fn plane_lines() -> Vec<HardLine<2>> {
     let from_origin = |id, comment, xn| HardLine::new(id, comment, [0.0; 2], xn);
     let tilted = "nearly along an axis";
@@ -147,8 +147,8 @@ pub(crate) fn plane_lines() -> Vec<HardLine<2>> {
     ]
 }
 
-/// The kinks where the documented pivots change, in any formula that asks them, at lines from the origin: `line` is
-/// xn − x1 of inputs, `at` gives inputs with this xn, and `across` those in which xn alone is not 0.
+/// The kinks where the documented pivots change, for any formula that depends on them, at lines from the origin: `line` is
+/// xn − x1 of inputs, `at` gives inputs with this xn, and `across` those in which only xn is not 0.
 pub(crate) fn changes_of_pivots<F: Formula>(
     line: fn(&F::Inputs<Octuple>) -> Vector3<Octuple>,
     at: fn(Vector3<f64>) -> F::Inputs<f64>,
@@ -156,7 +156,7 @@ pub(crate) fn changes_of_pivots<F: Formula>(
 ) -> Vec<Kink<F>> {
     // i may be axis 2 or 3.
     let first = |d: &Vector3<Octuple>| abs(d.y) == abs(d.z);
-    // j may be axis 1 or the one of i and k that is longer.
+    // j may be axis 1 or the longer one of i and k.
     let second = |d: &Vector3<Octuple>| {
         let p = if abs(d.y) > abs(d.z) { abs(d.y) } else { abs(d.z) };
         d.y * d.y + d.z * d.z == p * abs(d.x)

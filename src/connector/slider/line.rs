@@ -1,4 +1,4 @@
-//! The line through nodes 1 and n, and how it varies when they move.
+//! The line through nodes 1 and n, and its variation when they move.
 
 #![expect(clippy::inline_always, reason = "value and derivatives share the line where they are compiled as one piece")]
 
@@ -15,7 +15,7 @@ use crate::number::scalar::{Scalar, norm_and_direction};
 use nalgebra::{Matrix3, Vector3};
 
 fields! {
-    /// The two nodes that the line runs through.
+    /// The two nodes that define the line.
     pub struct Ends<T> { x1: Vector3<T> = SLIDER_X1, xn: Vector3<T> = SLIDER_XN }
 }
 fields! {
@@ -67,7 +67,7 @@ impl Formula for Line {
     }
 }
 
-/// I − n nᵀ for a unit vector n, its diagonal as a sum of squares, so that nothing cancels.
+/// I − n nᵀ for a unit vector n, with its diagonal as a sum of squares, so that nothing cancels.
 #[inline]
 pub(super) fn across<D: Scalar>(n: &Vector3<D>) -> Matrix3<D> {
     let square = n.component_mul(n);
@@ -87,15 +87,14 @@ fields! {
     pub struct DirectionChange<T> { dn: Vector3<T> = SLIDER_DN, dl: T = SLIDER_DL }
 }
 
-/// How the line varies: dl = n·(dxn − dx1), dn = ((dxn − dx1) − dl n)/l.
+/// The variation of the line: dl = n·(dxn − dx1), dn = ((dxn − dx1) − dl n)/l.
 ///
-/// Evaluated as dn = n×((dxn − dx1)×n)/l, which does not lose the small part of a relative motion that is almost along
-/// the line.
+/// Evaluated as dn = n×((dxn − dx1)×n)/l, which does not lose the small part of a relative motion that is almost along the line.
 #[derive(Clone, Copy, Debug)]
 pub struct DirectionVariation;
 
 impl<D: Scalar> MovingEnds<D> {
-    /// The line, and how it varies.
+    /// The line, and its variation.
     #[inline(always)]
     fn variation(&self) -> (Direction<D>, DirectionChange<D>) {
         let line @ Direction { n, l } = Line::eval(&Ends { x1: self.x1, xn: self.xn });
@@ -126,7 +125,7 @@ impl Formula for DirectionVariation {
         i.variation().1
     }
 
-    /// ∂dn/∂dxn = (I − n nᵀ)/l and ∂dn/∂xn = −(dn nᵀ + n dnᵀ + (dl/l)(I − n nᵀ))/l, symmetric matrices both.
+    /// ∂dn/∂dxn = (I − n nᵀ)/l and ∂dn/∂xn = −(dn nᵀ + n dnᵀ + (dl/l)(I − n nᵀ))/l, both symmetric matrices.
     #[inline]
     fn jacobian<D: Scalar>(i: &MovingEnds<D>) -> Jacobian<Self, D> {
         Self::linearized(i).1

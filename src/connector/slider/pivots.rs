@@ -1,4 +1,4 @@
-//! Which coordinates of node m are eliminated, and which one is kept.
+//! The choice of the coordinates of node m that are eliminated, and of the one that is kept.
 
 use crate::number::binade::Binade;
 use crate::number::eft::Pair;
@@ -8,9 +8,9 @@ use nalgebra::{SVector, Vector2, Vector3};
 /// The axes of elimination in space, counted from 0: coordinates i and j of node m follow from coordinate k.
 ///
 /// The rule is the documented one: i is the axis of the largest |t1|, and j, of the other two, that of the larger |t2|.
-/// With d = xn − x1, t1 ∥ (0, d3, −d2) and t2 ∥ (−(d2² + d3²), d1 d2, d1 d3), so it can be read off d. Let p and q be
-/// the larger and the smaller of |d2| and |d3|; then i is the axis of q, and j is axis 1 if p² + q² ≥ p |d1|, else the axis
-/// of p. Equal sizes count as "larger" for i = 2 and for j = 1; at d2 = d3 = 0 the axes are (i, j, k) = (2, 3, 1).
+/// With d = xn − x1, t1 ∥ (0, d3, −d2) and t2 ∥ (−(d2² + d3²), d1 d2, d1 d3), so the pivots follow from d alone. Let p and q be
+/// the larger and the smaller of |d2| and |d3|; then i is the axis of q, and j is axis 1 if p² + q² ≥ p |d1|, else the axis of p.
+/// Equal sizes count as "larger" for i = 2 and for j = 1; for d2 = d3 = 0 the axes are (i, j, k) = (2, 3, 1).
 ///
 /// # Guarantee
 /// |n_k| ≥ 1/√6 ([`Pivots::LEAST`]), with equality at d ∝ (±2, ±1, ±1): the division by n_k is always safe.
@@ -36,9 +36,9 @@ pub struct Pivots {
 }
 
 impl Pivots {
-    /// The least |n_k| that the rule leaves, 1/√6.
+    /// The least |n_k| that the rule allows, 1/√6.
     pub const LEAST: f64 = 0.408_248_290_463_863;
-    /// The least |n_k| that [`Pivots::largest`] leaves, 1/√3.
+    /// The least |n_k| that [`Pivots::largest`] allows, 1/√3.
     pub const LEAST_OF_LARGEST: f64 = 0.577_350_269_189_625_8;
 
     /// The pivots of the line from x1 to xn.
@@ -48,8 +48,8 @@ impl Pivots {
         Self { i, j, k }
     }
 
-    /// The alternative rule: keep the axis of the largest |n_k|, the first on a tie, so that |n_k| ≥ 1/√3. The
-    /// formulas do not use it; it stands here for comparison, and because `CalculiX` chooses so.
+    /// The alternative rule: keep the axis of the largest |n_k|, the first on a tie, so that |n_k| ≥ 1/√3. The formulas do not
+    /// use it; it is provided for comparison, and because `CalculiX` chooses this way.
     ///
     /// ```
     /// use jointproof::connector::slider::Pivots;
@@ -85,16 +85,15 @@ impl Pivots2d {
     }
 }
 
-/// In which order the axes are taken: those that are eliminated, then the one that is kept.
+/// The order of the axes: first those that are eliminated, then the one that is kept.
 ///
-/// Which component stands where is chosen by comparisons, and none is looked up by its index: rows of a batch, each with an order
-/// of its own, are computed together.
+/// Components are selected by comparisons, not by index: rows of a batch, each with an order of its own, are computed together.
 pub(super) trait Order<const N: usize>: Copy {
-    /// What stands by axis, in this order.
+    /// Components given by axis, in this order.
     fn arranged<T: Copy>(self, by_axis: [T; N]) -> [T; N];
-    /// What stands in this order, by axis.
+    /// Components given in this order, by axis.
     fn by_axis<T: Copy>(self, arranged: [T; N]) -> [T; N];
-    /// A number, or NaN where rows are computed together and rounding could decide about the order.
+    /// A number, or NaN if rows are computed together and rounding could affect the order.
     fn if_known<D: Scalar>(self, x: D) -> D;
 }
 
@@ -178,23 +177,23 @@ impl Order<2> for Plane {
 
 /// Whether |d_a| ≥ |d_b|, for the exact d = xn − x1.
 ///
-/// Rounding is monotonic: where the rounded differences differ, they decide; where they are equal, what was rounded off
-/// decides.
+/// Rounding is monotonic: if the rounded differences differ, they decide; if they are equal, their rounding errors decide.
 #[inline]
 fn at_least<D: Scalar, const N: usize>(x1: &SVector<D, N>, xn: &SVector<D, N>, a: usize, b: usize) -> bool {
     let [a, b] = [a, b].map(|axis| Pair::difference(leaf(xn[axis]), leaf(x1[axis])).abs());
     answer::<D::Leaf>(|| if a.high == b.high { a.low >= b.low } else { a.high > b.high })
 }
 
-/// An answer as one [`choice`].
+/// The result of a comparison, as one [`choice`].
 #[inline]
 fn answer<L: Leaf>(is_so: impl Fn() -> bool) -> bool {
     let [one] = choice(|| [L::from(if is_so() { 1.0 } else { 0.0 })]);
     one == 1.0
 }
 
-/// Whether p² + q² ≥ p |d1|, for rounded sizes |d1|, p = |d_far| ≥ q = |d_near|, unless they come so near to a tie that rounding
-/// could decide, or overflow. No for p = 0, a line along axis 1; for q = 0 it is known whether p is at least |d1|.
+/// Whether p² + q² ≥ p |d1|, for rounded sizes |d1|, p = |d_far| ≥ q = |d_near|; `None` if they are so close to a tie that
+/// rounding could decide, or if they overflow. For p = 0, a line along axis 1, the answer is no; for q = 0 it is exact, whether p
+/// is at least |d1|.
 #[inline]
 fn steep<L: Leaf>(sizes: [L; 3], far_is_larger: impl Fn() -> bool) -> Option<bool> {
     let [_, p, q] = sizes;
@@ -205,7 +204,7 @@ fn steep<L: Leaf>(sizes: [L; 3], far_is_larger: impl Fn() -> bool) -> Option<boo
     (abs(excess) > doubt).then_some(excess > doubt)
 }
 
-/// p² + q² − p |d1|, and what it may be wrong by.
+/// p² + q² − p |d1|, and a bound of its rounding error.
 #[inline(always)]
 fn excess<L: Leaf>([along, p, q]: [L; 3]) -> [L; 2] {
     // 32 roundings; those of differences, products and sums add up to at most 9.
@@ -221,7 +220,7 @@ fn steep_exactly<L: Leaf>(x1: &Vector3<L>, xn: &Vector3<L>, near: usize, far: us
     if let Some(steep) = steep([along.high, p.high, q.high], || at_least(x1, xn, far, 0)) {
         return steep;
     }
-    // q² − p |d1| + p², of the parts of each.
+    // q² − p |d1| + p², with each number split into its parts.
     let one = L::one();
     let squared = |x: Pair<L>| [[x.low, x.low, one, one], [x.low * 2.0, x.high, one, one], [x.high, x.high, one, one]];
     let crossed = |x: L| [[x, -along.low, one, one], [x, -along.high, one, one]];
@@ -235,7 +234,7 @@ mod tests {
     use crate::Octuple;
     use proptest::prelude::*;
 
-    /// d1 is above d2 by 2⁴⁶⁷, which their rounding makes 2⁴⁸⁸: d2 (d1 − d2) is below d3² = 2¹⁰²², and rounded it overflows.
+    /// d1 exceeds d2 by 2⁴⁶⁷, rounded by 2⁴⁸⁸: d2 (d1 − d2) is below d3² = 2¹⁰²², but overflows when rounded.
     #[test]
     fn pivots_are_those_of_the_exact_differences_where_products_overflow() {
         let power = |exponent| 2.0_f64.powi(exponent);
@@ -246,7 +245,7 @@ mod tests {
         assert_eq!(Pivots::new(&x1, &xn), Pivots { i: 2, j: 0, k: 1 });
     }
 
-    /// Else every line would be looked at exactly, which takes a hundred times as long.
+    /// Otherwise every line would be decided exactly, which takes a hundred times as long.
     #[test]
     fn rounding_decides_only_beside_a_tie() {
         let ways = [[3.0, 1.0, 5.0], [10.0, 5.0, 1.0], [10.0, 9.0, 3.0]].map(|sizes| steep(sizes, || unreachable!()));
@@ -256,7 +255,7 @@ mod tests {
     }
 
     proptest! {
-        /// At ties, and where the rounding of a coordinate moved the line beside one.
+        /// At ties, and where the rounding of a coordinate moved the line close to one.
         #[test]
         fn pivots_are_those_of_the_exact_differences(
             x1 in prop::array::uniform3(prop_oneof![Just(0.0), -2.0..2.0_f64]),

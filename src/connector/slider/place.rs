@@ -1,4 +1,4 @@
-//! The place of node m on the line from one of its coordinates, in space and in the plane.
+//! The position of node m on the line from one of its coordinates, in space and in the plane.
 
 #![expect(clippy::inline_always, reason = "what is not inlined is not compiled for vectors")]
 
@@ -7,9 +7,9 @@ use super::span::Span;
 use crate::number::scalar::{Scalar, abs};
 use nalgebra::SVector;
 
-/// Where on the line the k-th coordinate has a given value: ahead of an end of the line by `ahead`, measured along k.
+/// The point of the line whose k-th coordinate has a given value: ahead of an end of the line by `ahead`, measured along k.
 ///
-/// The end is the one that is nearer, so that no distance is formed that is larger than it must be.
+/// The nearer end is used, so that no distance is larger than necessary.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Place<D, O, const N: usize> {
     order: O,
@@ -32,19 +32,20 @@ impl<D: Scalar, O: Order<N>, const N: usize> Place<D, O, N> {
         Self { order, d, end, ahead: order.if_known(ahead), nearer_to_n, per_unit: binade.per_unit }
     }
 
-    /// The coordinate along the axis that comes first, second, ….
+    /// The coordinate along the first, second, … axis in the order.
     #[inline(always)]
     pub(super) fn coordinate(&self, axis: usize) -> D {
         self.end[axis] + self.d[axis] * self.ahead / self.d[N - 1]
     }
 
-    /// n_axis/n_k, the derivative of the coordinate by the given one.
+    /// n_axis/n_k, the derivative of the coordinate with respect to the given one.
     #[inline(always)]
     pub(super) fn slope(&self, axis: usize) -> D {
         self.d[axis] / self.d[N - 1]
     }
 
-    /// The gradients of the coordinate with respect to x1 and xn: the shares 1 − ζ and ζ of the nodes, across the slope.
+    /// The gradients of the coordinate with respect to x1 and xn: those of x_axis − slope x_k times the weights 1 − ζ and ζ of
+    /// the nodes.
     #[inline(always)]
     pub(super) fn gradients(&self, axis: usize) -> [SVector<D, N>; 2] {
         let tau = self.ahead * self.per_unit / self.d[N - 1];

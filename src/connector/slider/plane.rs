@@ -26,13 +26,13 @@ fields! {
     }
 }
 fields! {
-    /// How far m is off the line in the plane.
+    /// The distance of m from the line in the plane.
     pub struct Distance2d<T> { g: T = SLIDER_G }
 }
 
 /// The condition that holds m on the line in the plane: g = (xm − x1)·t = 0, t = s×n = (−n2, n1).
 ///
-/// The other condition, along the normal s of the plane, holds by itself.
+/// The other condition, along the normal s of the plane, is satisfied automatically.
 #[derive(Clone, Copy, Debug)]
 pub struct Constraint2d;
 
@@ -82,11 +82,11 @@ fields! {
     }
 }
 fields! {
-    /// By how much increments violate the condition in the plane.
+    /// The residual of the condition for increments in the plane.
     pub struct IncrementalResidual2d<T> { r: T = SLIDER_R }
 }
 
-/// What the condition in the plane demands of increments, with the variation of t eliminated:
+/// The condition on increments in the plane, with the variation of t eliminated:
 /// r = t·(dxm − (1−ξ) dx1 − ξ dxn) = 0.
 #[derive(Clone, Copy, Debug)]
 pub struct IncrementalConstraint2d;
@@ -127,7 +127,7 @@ impl Formula for IncrementalConstraint2d {
         let station = Station::new(&span, &i.x1, &i.xn, &i.xm);
         let ([share, rest], [by_x1, by_xn]) = (station.shares(), station.unscaled_gradients(&span));
         let v = i.dxm - station.blend(&i.dx1, &i.dxn);
-        // Everything times the length of d, by which the row is divided in the end: what is zero stays it.
+        // All terms are multiplied by the length of d, by which the row is divided at the end, so that zeros remain exact.
         let (root, ray) = (span.square.sqrt(), Vector2::new(-span.d.y, span.d.x));
         let per_root = root.recip();
         let (t, factor) = (ray * per_root, span.factor());
@@ -160,7 +160,8 @@ fields! {
     pub struct Coordinate2d<T> { xmi: T = SLIDER_XMI_PLANE }
 }
 
-/// The place of m on the line from one coordinate, with the axes of [`Pivots2d`](super::Pivots2d): xm_i = x1_i + (n_i/n_k)(xm_k − x1_k).
+/// The position of m on the line from one coordinate, with the axes of [`Pivots2d`](super::Pivots2d):
+/// xm_i = x1_i + (n_i/n_k)(xm_k − x1_k).
 #[derive(Clone, Copy, Debug)]
 pub struct Eliminate2d;
 

@@ -1,9 +1,9 @@
-//! SLIDER as an element: two residuals on the translations of nodes 1, n and m, nine degrees of freedom in this order.
+//! SLIDER as an element: two residuals, over the nine translations of nodes 1, n and m, in this order.
 //!
-//! Rows and forces are those of the line on which m stands: node m takes the force f = λ1 t1 + λ2 t2, nodes 1 and n its
-//! opposite in the shares 1 − ξ and ξ, as a lever does. Beside the line, by as much as Newton's method has not yet closed, the
-//! residuals have other derivatives; what is left out vanishes with them. The convergence is quadratic with the Jacobian of
-//! [`Forces`] as the matrix; with the stiffness below, which is exact on the line only, two steps square the error.
+//! Rows and forces are those of m on the line: node m takes the force f = λ1 t1 + λ2 t2, nodes 1 and n its opposite, divided by
+//! the lever rule into 1 − ξ and ξ. Off the line, by the residual that Newton's method has not yet closed, the residuals have
+//! other derivatives; the neglected terms vanish with the residuals. Convergence is quadratic with the Jacobian of [`Forces`] as
+//! the matrix; with the stiffness below, which is exact on the line only, two steps square the error.
 //!
 //! The stiffness is Σ λ ∂²g of the residuals on the line. With d = x_n − x_1 and P = ∂f/∂d its blocks are multiples of P and
 //! Pᵀ, and it is symmetric, since there are no spins.
@@ -25,19 +25,19 @@ use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Sour
 use crate::number::scalar::{Scalar, norm_and_direction};
 use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
 
-/// What all of them are derived from.
+/// The source of these formulas.
 const OURS: Source =
     Document::SLIDER.ours("", "the page has the constraints and their increments, without multipliers");
 
 fields! {
-    /// The derivatives of both residuals by the translations of the three nodes.
+    /// The derivatives of both residuals with respect to the translations of the three nodes.
     pub struct SliderRows<T> {
         g1_u1: Vector3<T> = SLIDER_G1_U1, g1_un: Vector3<T> = SLIDER_G1_UN, g1_um: Vector3<T> = SLIDER_G1_UM,
         g2_u1: Vector3<T> = SLIDER_G2_U1, g2_un: Vector3<T> = SLIDER_G2_UN, g2_um: Vector3<T> = SLIDER_G2_UM,
     }
 }
 
-/// The line, as its derivatives need it.
+/// The line, with the quantities that the derivatives need.
 struct View<D> {
     along: Along<D, 3>,
     t: [Vector3<D>; 2],
@@ -50,7 +50,7 @@ impl<D: Scalar> View<D> {
     fn new(x1: &Vector3<D>, xn: &Vector3<D>, xm: &Vector3<D>) -> Self {
         let (d, zero) = (xn - x1, D::zero());
         let axis = Axis::of(&d);
-        // From the part of d along e and that across it: so no derivative is a difference of what nearly cancels.
+        // From the parts of d along e and normal to it, so that no derivative is a difference of nearly equal terms.
         let (upright, across) = axis.split(&d);
         let (far, [a, b]) = norm_and_direction(across.into());
         let (l, [tilt, lean]) = norm_and_direction([far, upright]);
@@ -79,7 +79,7 @@ impl<D: Scalar> View<D> {
 
 /// The rows of SLIDER: −(1 − ξ) t_q, −ξ t_q and t_q.
 ///
-/// They are what [`IncrementalConstraint`] multiplies the increments of the nodes by.
+/// They are the coefficients of the nodes' increments in [`IncrementalConstraint`].
 #[derive(Clone, Copy, Debug)]
 pub struct Rows;
 
@@ -91,8 +91,9 @@ impl Formula for Rows {
             Given::new(r"\mathbf{n}", &Line::SPEC),
             Given::new(r"\xi", &IncrementalConstraint::SPEC),
         ])
-        // An entry is a sum of what turns the line and what moves m along it. Where the two cancel, and what inputs do to them
-        // with them, their roundings remain: of 7 million entries 10 are above 128. Normwise none is above 6.
+        // The terms of an entry are due to a rotation of the line and to a motion of m along it. Where the two cancel, and with
+        // them their sensitivities to the inputs, their rounding errors remain: of 7 million entries 10 are above 128. Normwise
+        // none is above 6.
         .eta_of_value(6.0)
         .normwise_of_value(5.0)
         .scale(1e250)
@@ -120,7 +121,7 @@ fields! {
     }
 }
 fields! {
-    /// What SLIDER exerts on its nodes.
+    /// The forces of SLIDER on its nodes.
     pub struct SliderForces<T> {
         force_1: Vector3<T> = FORCE_1, force_n: Vector3<T> = FORCE_N, force_m: Vector3<T> = FORCE_M,
     }
@@ -143,7 +144,7 @@ impl<D: Scalar> SliderLoads<D> {
         [self.lambda_1, self.lambda_2]
     }
 
-    /// The force on m, and what the lever makes of it.
+    /// The force on m, and the forces on nodes 1 and n by the lever rule.
     #[inline(always)]
     fn forces(&self, view: &View<D>) -> SliderForces<D> {
         let force_m = view.t[0] * self.lambda_1 + view.t[1] * self.lambda_2;
@@ -151,7 +152,7 @@ impl<D: Scalar> SliderLoads<D> {
         SliderForces { force_1: force_m * on_1, force_n: force_m * on_n, force_m }
     }
 
-    /// The blocks, of P: how the force on m changes with d.
+    /// The blocks, from P = ∂f/∂d for the force f on m.
     #[inline(always)]
     fn stiffness(&self, view: &View<D>) -> SliderStiffness<D> {
         let [first, second] = view.turning;
@@ -166,7 +167,8 @@ impl<D: Scalar> SliderLoads<D> {
     }
 }
 
-/// What SLIDER exerts on its nodes, Rowsᵀ λ: on m the force across the line, on nodes 1 and n what a lever needs.
+/// The forces of SLIDER on its nodes, Rowsᵀ λ: on m the force normal to the line, on nodes 1 and n its opposite by the lever
+/// rule.
 #[derive(Clone, Copy, Debug)]
 pub struct Forces;
 
@@ -217,16 +219,16 @@ impl Formula for Forces {
 }
 
 fields! {
-    /// How what SLIDER exerts on its nodes changes with their translations, the multipliers held: the blocks that differ.
+    /// The derivatives of SLIDER's nodal forces with respect to the translations, with the multipliers held: the distinct blocks.
     ///
-    /// [`matrix`](SliderStiffness::matrix) has them all in their places.
+    /// [`matrix`](SliderStiffness::matrix) assembles the whole matrix.
     pub struct SliderStiffness<T> {
         k_u1_u1: Matrix3<T> = K_U1_U1, k_u1_un: Matrix3<T> = K_U1_UN, k_un_un: Matrix3<T> = K_UN_UN,
         k_um_un: Matrix3<T> = K_UM_UN,
     }
 }
 
-/// The geometric stiffness of SLIDER, Σ λ ∂²g by translations, on the line: symmetric.
+/// The geometric stiffness of SLIDER, Σ λ ∂²g with respect to translations, on the line: symmetric.
 #[derive(Clone, Copy, Debug)]
 pub struct GeometricStiffness;
 
@@ -238,7 +240,7 @@ impl Formula for GeometricStiffness {
             Given::new(r"\mathbf{n},\ l", &Line::SPEC),
             Given::new(r"\xi", &IncrementalConstraint::SPEC),
         ])
-        // As those of the rows.
+        // As for the rows.
         .eta_of_value(8.0)
         .normwise_of_value(5.0)
         .scale(1e120)
@@ -258,7 +260,7 @@ impl Formula for GeometricStiffness {
     }
 }
 
-/// Blocks that differ, in their places among those of nodes 1, n and m: N rows and columns each, ALL together.
+/// The distinct blocks assembled for nodes 1, n and m: N rows and columns each, ALL together.
 pub(super) fn placed<D: Scalar, const N: usize, const ALL: usize>(
     [k11, k1n, knn, kmn]: [SMatrix<D, N, N>; 4],
 ) -> SMatrix<D, ALL, ALL> {
@@ -276,7 +278,7 @@ impl<D: Scalar> SliderRows<D> {
 }
 
 impl<D: Scalar> SliderForces<D> {
-    /// Over the translations of nodes 1, n and m.
+    /// The forces in the order of the translations of nodes 1, n and m.
     pub fn vector(&self) -> SVector<D, 9> {
         let parts = [self.force_1, self.force_n, self.force_m];
         SVector::from_fn(|k, _| parts[k / 3][k % 3])
@@ -284,7 +286,7 @@ impl<D: Scalar> SliderForces<D> {
 }
 
 impl<D: Scalar> SliderStiffness<D> {
-    /// All blocks in their places, for the translations of nodes 1, n and m.
+    /// The assembled matrix for the translations of nodes 1, n and m.
     ///
     /// ```
     /// use jointproof::connector::slider::rows::{GeometricStiffness, SliderLoads};

@@ -1,8 +1,8 @@
-//! SLIDER in the plane, (x, y) or (r, z), as an element: one residual on the translations of nodes 1, n and m.
+//! SLIDER in the plane, (x, y) or (r, z), as an element: one residual, over the translations of nodes 1, n and m.
 //!
-//! As in [space](super::slider), rows and forces are those of the line on which m stands. In the plane t turns with the line
-//! alone, so that the stiffness has a single term. Of an axisymmetric model r and z are such coordinates too; the force is then
-//! that on the whole circumference.
+//! As in [space](super::slider), rows and forces are those of m on the line. In the plane t rotates with the line only, so that
+//! the stiffness has a single term. The coordinates r and z of an axisymmetric model are treated in the same way; the force is
+//! then that on the whole circumference.
 
 #![expect(clippy::inline_always, reason = "the compiler sees the indices, and shares what both have of the line")]
 
@@ -23,21 +23,21 @@ use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Sour
 use crate::number::scalar::{Scalar, norm_and_direction};
 use nalgebra::{Matrix2, Matrix6, Vector2, Vector6};
 
-/// What all of them are derived from.
+/// The source of these formulas.
 const OURS: Source = Document::SLIDER.ours("", "the page has the constraint and its increment, without a multiplier");
 
-/// The symbols that rows and forces take from elsewhere.
+/// The symbols of rows and forces that are defined elsewhere.
 const GIVEN: [Given; 2] = [Given::new(r"\mathbf{n}", &Line::SPEC), Given::new(r"\xi", &IncrementalConstraint::SPEC)];
 
 fields! {
-    /// The derivatives of the residual by the translations of the three nodes.
+    /// The derivatives of the residual with respect to the translations of the three nodes.
     pub struct SliderRow2d<T> {
         g_u1: Vector2<T> = SLIDER_G_U1_PLANE, g_un: Vector2<T> = SLIDER_G_UN_PLANE,
         g_um: Vector2<T> = SLIDER_G_UM_PLANE,
     }
 }
 
-/// The line, as its derivatives need it.
+/// The line, with the quantities that the derivatives need.
 struct View<D> {
     along: Along<D, 2>,
     t: Vector2<D>,
@@ -95,7 +95,7 @@ fields! {
     }
 }
 fields! {
-    /// What SLIDER exerts on its nodes in the plane.
+    /// The forces of SLIDER on its nodes in the plane.
     pub struct SliderForces2d<T> {
         force_1: Vector2<T> = FORCE_1_PLANE, force_n: Vector2<T> = FORCE_N_PLANE, force_m: Vector2<T> = FORCE_M_PLANE,
     }
@@ -115,8 +115,8 @@ impl<D: Scalar> SliderLoads2d<D> {
     }
 }
 
-/// What SLIDER exerts on its nodes in the plane, the multiplier times the row: on m the force across the line, on nodes 1 and n
-/// what a lever needs.
+/// The forces of SLIDER on its nodes in the plane, the multiplier times the row: on m the force normal to the line, on nodes 1
+/// and n its opposite by the lever rule.
 #[derive(Clone, Copy, Debug)]
 pub struct Forces;
 
@@ -161,17 +161,17 @@ impl Formula for Forces {
 }
 
 fields! {
-    /// How what SLIDER exerts on its nodes in the plane changes with their translations, the multiplier held: the blocks that
-    /// differ.
+    /// The derivatives of SLIDER's nodal forces in the plane with respect to the translations, with the multiplier held: the
+    /// distinct blocks.
     ///
-    /// [`matrix`](SliderStiffness2d::matrix) has them all in their places.
+    /// [`matrix`](SliderStiffness2d::matrix) assembles the whole matrix.
     pub struct SliderStiffness2d<T> {
         k_u1_u1: Matrix2<T> = K_U1_U1_PLANE, k_u1_un: Matrix2<T> = K_U1_UN_PLANE,
         k_un_un: Matrix2<T> = K_UN_UN_PLANE, k_um_un: Matrix2<T> = K_UM_UN_PLANE,
     }
 }
 
-/// The geometric stiffness of SLIDER in the plane, λ ∂²g by translations, on the line: symmetric.
+/// The geometric stiffness of SLIDER in the plane, λ ∂²g with respect to translations, on the line: symmetric.
 #[derive(Clone, Copy, Debug)]
 pub struct GeometricStiffness;
 
@@ -201,14 +201,14 @@ impl Formula for GeometricStiffness {
 }
 
 impl<D: Scalar> SliderRow2d<D> {
-    /// Over the translations of nodes 1, n and m.
+    /// The row in the order of the translations of nodes 1, n and m.
     pub fn vector(&self) -> Vector6<D> {
         in_order([self.g_u1, self.g_un, self.g_um])
     }
 }
 
 impl<D: Scalar> SliderForces2d<D> {
-    /// Over the translations of nodes 1, n and m.
+    /// The forces in the order of the translations of nodes 1, n and m.
     pub fn vector(&self) -> Vector6<D> {
         in_order([self.force_1, self.force_n, self.force_m])
     }
@@ -219,7 +219,7 @@ fn in_order<D: Scalar>(parts: [Vector2<D>; 3]) -> Vector6<D> {
 }
 
 impl<D: Scalar> SliderStiffness2d<D> {
-    /// All blocks in their places, for the translations of nodes 1, n and m.
+    /// The assembled matrix for the translations of nodes 1, n and m.
     pub fn matrix(&self) -> Matrix6<D> {
         placed([self.k_u1_u1, self.k_u1_un, self.k_un_un, self.k_um_un])
     }

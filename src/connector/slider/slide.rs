@@ -1,4 +1,4 @@
-//! The direct route to increments, in space and in the plane: ratios n_i/n_k instead of directions across the line.
+//! The direct route to increments, in space and in the plane: ratios n_i/n_k instead of directions normal to the line.
 
 #![expect(clippy::inline_always, reason = "what is not inlined is not compiled for vectors")]
 
@@ -8,7 +8,7 @@ use super::span::{Span, Station};
 use crate::number::scalar::Scalar;
 use nalgebra::SVector;
 
-/// The line, the place of node m, and the order of the axes, of which the last is kept.
+/// The line, the position of node m, and the order of the axes, of which the last is kept.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Slide<D, O, const N: usize> {
     span: Span<D, N>,
@@ -33,7 +33,7 @@ impl<D: Scalar, O: Order<N>, const N: usize> Slide<D, O, N> {
         Self { span, station: Station::new(&span, x1, xn, xm), order }
     }
 
-    /// A vector by its components along the axes in their order.
+    /// The components of a vector in the order of the axes.
     #[inline(always)]
     fn arranged(&self, v: SVector<D, N>) -> SVector<D, N> {
         self.order.arranged(v.into()).into()
@@ -47,7 +47,7 @@ impl<D: Scalar, O: Order<N>, const N: usize> Slide<D, O, N> {
         std::array::from_fn(|axis| w[axis] + d[axis] * excess / d[N - 1])
     }
 
-    /// What the gradients of all increments share.
+    /// The common part of the gradients of all increments.
     #[inline(always)]
     pub(super) fn gradients(&self, dx1: &SVector<D, N>, dxn: &SVector<D, N>, dxmk: D) -> Gradients<D, O, N> {
         let Self { span, station, order } = *self;
@@ -69,8 +69,8 @@ impl<D: Scalar, O: Order<N>, const N: usize> Slide<D, O, N> {
 }
 
 /// d by axis, and in the order of the axes, and 1/d_k in units of the line's size; ξ and 1 − ξ; the gradients of ξ without their
-/// factor, and the factor over d_k; dxn − dx1 in the order of the axes; and (dxm_k − w_k)/d_k, by which an increment grows with
-/// the component of d along its axis.
+/// factor, and that factor divided by d_k; dxn − dx1 in the order of the axes; and (dxm_k − w_k)/d_k, the derivative of an
+/// increment with respect to the component of d along its axis.
 pub(super) struct Gradients<D, O, const N: usize> {
     order: O,
     along: SVector<D, N>,
@@ -84,7 +84,7 @@ pub(super) struct Gradients<D, O, const N: usize> {
 }
 
 impl<D: Scalar, O: Order<N>, const N: usize> Gradients<D, O, N> {
-    /// The gradient of the increment along the axis that comes first, second, ….
+    /// The gradient of the increment along the first, second, … axis in the order.
     #[inline(always)]
     pub(super) fn row(&self, axis: usize) -> Row<D, N> {
         let (d, relative) = (&self.d, self.relative);

@@ -1,4 +1,4 @@
-//! The line from node 1 to node n, and where node m is along it, told from the end that is nearer to it.
+//! The line from node 1 to node n, and the position of node m along it, measured from the nearer end.
 
 use crate::number::binade::Binade;
 use crate::number::scalar::{Scalar, abs};
@@ -26,17 +26,18 @@ impl<D: Scalar, const N: usize> Span<D, N> {
         Self { d, square: d.dot(&d), binade }
     }
 
-    /// What makes v·d, v in the units of the nodes, the share that v has in the line: (xn − x1)·v over the square of the length.
+    /// The factor by which v·d, with v in the units of the nodes, becomes the fraction of the line covered by v: (xn − x1)·v over
+    /// the square of the length.
     #[inline]
     pub(crate) fn factor(&self) -> D {
         self.binade.per_unit / self.square
     }
 }
 
-/// The place of m: m − end = τ (xn − x1) + something across the line, where "end" is the nearer of nodes 1 and n.
+/// The position of m: m − end = τ (xn − x1) + a vector normal to the line, where "end" is the nearer of nodes 1 and n.
 ///
-/// With ξ = (xm − x1)·d/d·d, τ is ξ if the end is node 1 and ξ − 1 if it is node n. Told from the far end, the position of
-/// m would carry the rounding errors of distances that are much larger than those which matter.
+/// With ξ = (xm − x1)·d/d·d, τ is ξ if the end is node 1 and ξ − 1 if it is node n. Measured from the far end, the position of m
+/// would have the rounding errors of much larger distances.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Station<D, const N: usize> {
     nearer_to_n: bool,
@@ -55,7 +56,7 @@ impl<D: Scalar, const N: usize> Station<D, N> {
         Self { nearer_to_n, offset, tau: ahead * span.factor() }
     }
 
-    /// ξ and 1 − ξ, both without loss.
+    /// ξ and 1 − ξ, both without loss of accuracy.
     #[inline]
     pub(crate) fn shares(&self) -> [D; 2] {
         let tau = self.tau;
@@ -71,7 +72,7 @@ impl<D: Scalar, const N: usize> Station<D, N> {
 
     /// The gradients of ξ with respect to x1, xn and xm.
     ///
-    /// With the part f of m − x1 across the line: ∂ξ/∂xm = d/d·d, ∂ξ/∂xn = (f − ξ d)/d·d, ∂ξ/∂x1 = −(f + (1 − ξ) d)/d·d.
+    /// With the part f of m − x1 normal to the line: ∂ξ/∂xm = d/d·d, ∂ξ/∂xn = (f − ξ d)/d·d, ∂ξ/∂x1 = −(f + (1 − ξ) d)/d·d.
     #[inline]
     pub(crate) fn gradients(&self, span: &Span<D, N>) -> [SVector<D, N>; 3] {
         let factor = span.factor();

@@ -14,7 +14,7 @@ use crate::formula::quantity::Domain;
 use crate::formula::{Jacobian, value, value_and_jacobian};
 use nalgebra::{Vector1, Vector2, Vector3};
 
-/// A state of the two nodes: a's triad, and where both are, in the global frame.
+/// A state of the two nodes: the triad of a, and the positions of both, in the global frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose {
     /// The triad of node a.
@@ -36,14 +36,14 @@ pub struct Pose2d {
     pub xb: Vector2<f64>,
 }
 
-/// What along the slot does not depend on the number of dimensions: lengths, stops, friction.
+/// The options along the slot, which do not depend on the number of dimensions: lengths, stops, friction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Line {
     x0: f64,
     l1_ref: f64,
     /// The lower stop and the upper one.
     stops: [Option<f64>; 2],
-    /// 0 where it is not given.
+    /// 0 if not given.
     k_stick: f64,
     mu: f64,
     fc_int: f64,
@@ -97,7 +97,7 @@ impl Line {
     }
 }
 
-/// Distances to the stops that there are; to one that there is not, infinity.
+/// The distances to the stops; infinity for a missing stop.
 fn gaps(x: f64, stops: [Option<f64>; 2]) -> Result<Option<Gaps<f64>>, Error> {
     let both = |l1_min, l1_max| value::<Stop>(&StopLengths { x, l1_min, l1_max });
     Ok(Some(match stops {
@@ -108,10 +108,10 @@ fn gaps(x: f64, stops: [Option<f64>; 2]) -> Result<Option<Gaps<f64>>, Error> {
     }))
 }
 
-/// Options common to [`Slot`] and [`Slot2d`], each checked where it is given.
+/// Options common to [`Slot`] and [`Slot2d`], each checked when it is set.
 macro_rules! line_options {
     () => {
-        /// Sets the constitutive reference length; the initial length otherwise.
+        /// Sets the constitutive reference length; by default it is the initial length.
         ///
         /// # Errors
         /// `l1_ref` that is not finite.
@@ -129,7 +129,7 @@ macro_rules! line_options {
             Ok(self)
         }
 
-        /// Sets the lower stop; the upper one stays as it is, or missing.
+        /// Sets the lower stop; the upper one is unchanged.
         ///
         /// # Errors
         /// As [`Self::with_stops`].
@@ -138,7 +138,7 @@ macro_rules! line_options {
             Ok(self)
         }
 
-        /// Sets the upper stop; the lower one stays as it is, or missing.
+        /// Sets the upper stop; the lower one is unchanged.
         ///
         /// # Errors
         /// As [`Self::with_stops`].
@@ -147,7 +147,7 @@ macro_rules! line_options {
             Ok(self)
         }
 
-        /// Sets the friction coefficient μ ≥ 0 and the internal contact force; no friction otherwise.
+        /// Sets the friction coefficient μ ≥ 0 and the internal contact force; by default there is no friction.
         ///
         /// # Errors
         /// `mu` negative or not finite, `fc_int` not finite.
@@ -156,7 +156,7 @@ macro_rules! line_options {
             Ok(self)
         }
 
-        /// Sets the stiffness in stick, > 0 (F/L), which [`newton`](Self::newton) needs where there is friction.
+        /// Sets the stiffness in stick, > 0 (F/L), which [`newton`](Self::newton) needs if there is friction.
         ///
         /// # Errors
         /// `k_stick` not positive and finite.
@@ -203,7 +203,7 @@ impl Slot {
     /// A slot along the first axis of a, through the initial position of b.
     ///
     /// # Errors
-    /// A position that is not finite, or so far that the relative position overflows.
+    /// A position that is not finite, or so large that the relative position overflows.
     pub fn new(initial: &Pose) -> Result<Self, Error> {
         let Relative { x, y, z } = relative_position(initial)?;
         Ok(Self { y0: y, z0: z, line: Line::new(x) })
@@ -211,7 +211,7 @@ impl Slot {
 
     line_options!();
 
-    /// Where b is in the triad of a ([`RelativePosition`]).
+    /// The position of b in the triad of a ([`RelativePosition`]).
     ///
     /// # Errors
     /// As [`Slot::new`].
@@ -219,7 +219,7 @@ impl Slot {
         relative_position(pose)
     }
 
-    /// By how much b is off the slot ([`Constraint`]).
+    /// The deviation of b from the slot ([`Constraint`]).
     ///
     /// # Errors
     /// As [`Slot::new`].
@@ -248,7 +248,7 @@ impl Slot {
         self.line.motion(relative_position(pose)?.x)
     }
 
-    /// Distances to the stops ([`Stop`]), infinite to one that is missing; `None` without stops.
+    /// The distances to the stops ([`Stop`]), infinite for a missing stop; `None` without stops.
     ///
     /// # Errors
     /// As [`Slot::new`].
@@ -256,7 +256,7 @@ impl Slot {
         self.line.gaps(relative_position(pose)?.x)
     }
 
-    /// The force on b that holds it on the slot ([`ConstraintForce`]), in the global frame; its opposite acts on a.
+    /// The constraint force on b ([`ConstraintForce`]), in the global frame; its opposite acts on a.
     ///
     /// # Errors
     /// A force that is not finite.
@@ -293,17 +293,17 @@ impl Slot {
         value_and_jacobian::<Friction>(&self.line.loads(f1, f2, f3))
     }
 
-    /// The element that a solver calls, in any number: its start, and its friction where μ is not 0.
+    /// The element that a solver calls: its start, and its friction if μ is not 0.
     pub fn element(&self) -> Parameters<SlotElement, f64, 2> {
         let start = SlotStart { x0: self.line.x0, y0: self.y0, z0: self.z0 };
         Parameters { start, contact: self.line.contact() }
     }
 
-    /// What it adds to a step of Newton's method, and the state after it, from the multipliers and the state in the last converged
-    /// increment.
+    /// The contribution to a step of Newton's method, and the state after it, from the multipliers and the state in the last
+    /// converged increment.
     ///
     /// # Errors
-    /// As [`Parameters::newton`]; where μ is not 0, a stiffness in stick that was not given.
+    /// As [`Parameters::newton`]; if μ is not 0, also a missing stiffness in stick.
     pub fn newton(
         &self,
         pose: &Pose,
@@ -351,7 +351,7 @@ impl Slot2d {
 
     line_options!();
 
-    /// By how much b is off the slot ([`Constraint2d`]).
+    /// The deviation of b from the slot ([`Constraint2d`]).
     ///
     /// # Errors
     /// As [`Slot::new`].
@@ -380,7 +380,7 @@ impl Slot2d {
         self.line.motion(relative_position(&pose.in_space())?.x)
     }
 
-    /// Distances to the stops ([`Stop`]), infinite to one that is missing; `None` without stops.
+    /// The distances to the stops ([`Stop`]), infinite for a missing stop; `None` without stops.
     ///
     /// # Errors
     /// As [`Slot::new`].
@@ -396,17 +396,17 @@ impl Slot2d {
         value::<Friction>(&self.line.loads(f1, f2, 0.0))
     }
 
-    /// The element that a solver calls, in any number: its start, and its friction where μ is not 0.
+    /// The element that a solver calls: its start, and its friction if μ is not 0.
     pub fn element(&self) -> Parameters<SlotElement2d, f64, 1, 6> {
         let start = SlotStart2d { x0: self.line.x0, y0: self.y0 };
         Parameters { start, contact: self.line.contact() }
     }
 
-    /// What it adds to a step of Newton's method, and the state after it, from the multipliers and the state in the last converged
-    /// increment.
+    /// The contribution to a step of Newton's method, and the state after it, from the multipliers and the state in the last
+    /// converged increment.
     ///
     /// # Errors
-    /// As [`Parameters::newton`]; where μ is not 0, a stiffness in stick that was not given.
+    /// As [`Parameters::newton`]; if μ is not 0, also a missing stiffness in stick.
     pub fn newton(
         &self,
         pose: &Pose2d,
@@ -418,7 +418,7 @@ impl Slot2d {
 }
 
 impl Pose {
-    /// The nodes of an element; b's triad has no part in it.
+    /// The nodes of an element; the triad of b is irrelevant.
     pub fn nodes(&self) -> Nodes<f64> {
         Nodes::new([self.triad.into(); 2], [self.xa, self.xb])
     }

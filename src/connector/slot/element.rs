@@ -1,4 +1,4 @@
-//! SLOT: JOIN's element, whose first force is not a multiplier but the friction along the slot.
+//! SLOT: the element of JOIN, except that its first force is the friction along the slot instead of a multiplier.
 
 #[cfg(feature = "verify")]
 pub(crate) mod proof;
@@ -14,7 +14,7 @@ use crate::formula::{Component, Document, Field, Fields, Formula, Spec};
 use crate::number::scalar::Scalar;
 use nalgebra::Vector2;
 
-/// SLOT as an element: multipliers f2 and f3.
+/// SLOT as an element, with the multipliers f2 and f3.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SlotElement;
 
@@ -23,7 +23,7 @@ fields! {
     pub struct SlotStart<T> { x0: T = X0, y0: T = Y0, z0: T = Z0 }
 }
 fields! {
-    /// How b rubs in the slot.
+    /// The parameters of the friction of b in the slot.
     pub struct SlotContact<T> { k_stick: T = K_STICK, fc_int: T = FC_INT, mu: T = MU }
 }
 fields! {

@@ -16,16 +16,16 @@ use crate::formula::{Component, Document, Field, Fields, Formula, Spec};
 use crate::number::scalar::Scalar;
 use nalgebra::{Vector1, Vector2, Vector6};
 
-/// SLOT in the plane as an element: the multiplier f2. Its nodes have a translation and a spin each, u_a, θ_a, u_b, θ_b.
+/// SLOT in the plane as an element, with the multiplier f2. Each node has a translation and a spin: u_a, θ_a, u_b, θ_b.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SlotElement2d;
 
 fields! {
-    /// The components of x_b − x_a along and across the slot at the start.
+    /// The components of x_b − x_a along and normal to the slot at the start.
     pub struct SlotStart2d<T> { x0: T = X0, y0: T = Y0 }
 }
 
-/// Of a force along an axis of a.
+/// The loads of a force along an axis of a.
 const fn loads<T: Component>(nodes: &PlanePlaces<T>, f2: T) -> PlaneLoads<T> {
     let PlanePlaces { e2a, xa, xb } = *nodes;
     PlaneLoads { e2a, xa, xb, f2 }
@@ -82,7 +82,7 @@ impl Element<1, 6> for SlotElement2d {
         );
         let Some(contact) = parameters.contact else { return (found, *before) };
 
-        // What holds across the slot holds along it: e1a is e2a turned by 90° to the right.
+        // The formulas of the direction normal to the slot apply along it as well: e1a is e2a rotated by 90° to the right.
         let slot = PlanePlaces { e2a: Vector2::new(e2a.y, -e2a.x), ..*nodes };
         let u1 = slot.e2a.dot(&(xb - xa)) - x0;
         let (f1, [by_u1, by_f2, _]) = contact.rub(u1, before, [multiplier.x, D::zero()]);

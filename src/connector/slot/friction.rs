@@ -10,7 +10,7 @@ use crate::formula::{Component, Document, Finite, Formula, Jacobian, Spec};
 use crate::number::scalar::{Scalar, abs, norm, norm_and_direction, sign};
 
 fields! {
-    /// Constraint force across the slot.
+    /// Constraint force normal to the slot.
     pub struct CrossForces<T> { f2: T = F2, f3: T = F3 }
 }
 fields! {

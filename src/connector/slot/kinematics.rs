@@ -1,4 +1,4 @@
-//! Where b is along the slot, what holds it there, and the forces that do.
+//! The position of b along the slot, the constraint that holds it on the slot, and the forces.
 
 #![expect(clippy::inline_always, reason = "compiled in place, zeros that lie side by side are stored together")]
 
@@ -53,14 +53,14 @@ impl Formula for RelativePosition {
 }
 
 fields! {
-    /// Where the nodes are, how node a is turned, and where the slot lies.
+    /// The positions of both nodes, the axes of a normal to the slot, and the position of the slot.
     pub struct SlotPositions<T> {
         e2a: Vector3<T> = E2A, e3a: Vector3<T> = E3A, xa: Vector3<T> = XA, xb: Vector3<T> = XB,
         y0: T = Y0, z0: T = Z0,
     }
 }
 fields! {
-    /// By how much b is off the slot.
+    /// The deviations of b from the slot.
     pub struct Residuals<T> { gy: T = GY, gz: T = GZ }
 }
 
@@ -95,13 +95,13 @@ impl Formula for Constraint {
 }
 
 fields! {
-    /// As [`SlotPositions`], in the plane.
+    /// The inputs of [`SlotPositions`], in the plane.
     pub struct SlotPositions2d<T> {
         e2a: Vector2<T> = E2A_PLANE, xa: Vector2<T> = XA_PLANE, xb: Vector2<T> = XB_PLANE, y0: T = Y0,
     }
 }
 fields! {
-    /// By how much b is off the slot in the plane.
+    /// The deviation of b from the slot in the plane.
     pub struct Residual2d<T> { gy: T = GY }
 }
 
@@ -131,7 +131,7 @@ impl Formula for Constraint2d {
 }
 
 fields! {
-    /// The two directions across the slot, and the constraint force along them.
+    /// The two directions normal to the slot, and the constraint force along them.
     pub struct CrossFrame<T> { e2a: Vector3<T> = E2A, e3a: Vector3<T> = E3A, f2: T = F2, f3: T = F3 }
 }
 fields! {
@@ -165,7 +165,7 @@ impl Formula for ConstraintForce {
 }
 
 fields! {
-    /// Where b is along the slot, and from where that is counted.
+    /// The position of b along the slot, and the lengths from which displacements are measured.
     pub struct SlotLengths<T> { x: T = X, x0: T = X0, l1_ref: T = L1_REF }
 }
 fields! {
@@ -203,7 +203,7 @@ impl Formula for RelativeMotion {
 }
 
 fields! {
-    /// A kinetic force: on node a as it stands, on node b its opposite.
+    /// A kinetic force on node a; its opposite acts on node b.
     pub struct AlongForce<T> { f: Vector3<T> = KINETIC_FORCE }
 }
 fields! {
@@ -213,8 +213,8 @@ fields! {
 
 /// The force along the slot: f = f1 e1a.
 ///
-/// It is conjugate to u1, so that it acts on a, and on b its opposite, −f1 e1a: where b moves on against a positive f1,
-/// the connector takes up the work f1 du1.
+/// It is conjugate to u1, so that it acts on a and its opposite, −f1 e1a, on b: if b moves on against a positive f1, the
+/// connector absorbs the work f1 du1.
 #[derive(Clone, Copy, Debug)]
 pub struct KineticForce;
 
@@ -240,7 +240,7 @@ impl Formula for KineticForce {
 }
 
 fields! {
-    /// Where b is along the slot, and the stops.
+    /// The position of b along the slot, and the stops.
     pub struct StopLengths<T> { x: T = X, l1_min: T = L1_MIN, l1_max: T = L1_MAX }
 }
 fields! {
@@ -248,7 +248,7 @@ fields! {
     pub struct Gaps<T> { gap_min: T = GAP_MIN, gap_max: T = GAP_MAX }
 }
 
-/// Distances to the stops, both ≥ 0 between them: x − l1_min, l1_max − x.
+/// Distances to the stops, both ≥ 0 if b is between them: x − l1_min, l1_max − x.
 #[derive(Clone, Copy, Debug)]
 pub struct Stop;
 

@@ -1,8 +1,8 @@
-//! SLOT in the plane as an element: one residual, and a spin that is a number.
+//! SLOT in the plane as an element: one residual, and a single spin per node.
 //!
-//! The order of the degrees of freedom is u_a, θ_a, u_b, θ_b, six of them. A spin is positive from the first axis to the
-//! second: δe = δθ s × e, where s × e is e turned by 90° to the left. Turns in the plane commute, so that the geometric
-//! stiffness is symmetric as it is.
+//! The order of the six degrees of freedom is u_a, θ_a, u_b, θ_b. A spin is positive from the first axis to the second: δe = δθ s
+//! × e, where s × e is e rotated by 90° to the left. Rotations in the plane commute, so that the geometric stiffness is
+//! symmetric.
 
 #[cfg(feature = "verify")]
 mod proof;
@@ -17,19 +17,20 @@ use crate::number::scalar::Scalar;
 use nalgebra::{Matrix6, Vector2, Vector6};
 
 fields! {
-    /// Where the nodes are, and the axis across the slot.
+    /// The positions of both nodes, and the axis normal to the slot.
     pub struct PlanePlaces<T> {
         e2a: Vector2<T> = E2A_PLANE, xa: Vector2<T> = XA_PLANE, xb: Vector2<T> = XB_PLANE,
     }
 }
 fields! {
-    /// The derivatives of the residual by the translations of both nodes and the spin of a; that of b turns nothing.
+    /// The derivatives of the residual with respect to the translations of both nodes and the spin of a; the spin of b has no
+    /// effect.
     pub struct PlaneRow<T> {
         gy_ua: Vector2<T> = GY_UA_PLANE, gy_ta: T = GY_TA_PLANE, gy_ub: Vector2<T> = GY_UB_PLANE,
     }
 }
 
-/// v turned by 90° to the left.
+/// v rotated by 90° to the left.
 #[inline]
 fn left<D: Scalar>(v: &Vector2<D>) -> Vector2<D> {
     Vector2::new(-v.y, v.x)
@@ -59,13 +60,13 @@ impl Formula for Rows {
 }
 
 fields! {
-    /// Where the nodes are, the axis across the slot, and the multiplier, which is the force along it.
+    /// The positions of both nodes, the axis normal to the slot, and the multiplier, which is the force along this axis.
     pub struct PlaneLoads<T> {
         e2a: Vector2<T> = E2A_PLANE, xa: Vector2<T> = XA_PLANE, xb: Vector2<T> = XB_PLANE, f2: T = F2,
     }
 }
 fields! {
-    /// What SLOT exerts on its nodes in the plane; there is no moment on b.
+    /// The forces of SLOT on its nodes in the plane; there is no moment on b.
     pub struct PlaneForces<T> {
         fa: Vector2<T> = FORCE_A_PLANE, ma: T = MOMENT_A_PLANE, fb: Vector2<T> = FORCE_B_PLANE,
     }
@@ -79,8 +80,8 @@ impl<D: Scalar> PlaneLoads<D> {
     }
 }
 
-/// What SLOT exerts on its nodes in the plane, the multiplier times the row: on b the documented force f2 e2a, on a its
-/// opposite and its moment.
+/// The forces of SLOT on its nodes in the plane, the multiplier times the row: the documented force f2 e2a on b, its opposite and
+/// its moment on a.
 #[derive(Clone, Copy, Debug)]
 pub struct Forces;
 
@@ -105,11 +106,11 @@ impl Formula for Forces {
 }
 
 fields! {
-    /// How what SLOT exerts on its nodes in the plane changes with the spin of a, the multiplier held.
+    /// The derivatives of SLOT's nodal forces in the plane with respect to the spin of a, with the multiplier held.
     pub struct PlaneStiffness<T> { k_ua_ta: Vector2<T> = K_UA_TA_PLANE, k_ta_ta: T = K_TA_TA_PLANE }
 }
 
-/// The geometric stiffness of SLOT in the plane, λ ∂²g by translations and spins: symmetric as it is.
+/// The geometric stiffness of SLOT in the plane, λ ∂²g with respect to translations and spins: symmetric.
 #[derive(Clone, Copy, Debug)]
 pub struct GeometricStiffness;
 
@@ -134,21 +135,21 @@ impl Formula for GeometricStiffness {
 }
 
 impl<D: Scalar> PlaneRow<D> {
-    /// Over the six degrees of freedom.
+    /// The row over the six degrees of freedom.
     pub fn vector(&self) -> Vector6<D> {
         Vector6::new(self.gy_ua.x, self.gy_ua.y, self.gy_ta, self.gy_ub.x, self.gy_ub.y, D::zero())
     }
 }
 
 impl<D: Scalar> PlaneForces<D> {
-    /// Over the six degrees of freedom.
+    /// The forces over the six degrees of freedom.
     pub fn vector(&self) -> Vector6<D> {
         Vector6::new(self.fa.x, self.fa.y, self.ma, self.fb.x, self.fb.y, D::zero())
     }
 }
 
 impl<D: Scalar> PlaneStiffness<D> {
-    /// All entries in their places.
+    /// The assembled matrix.
     ///
     /// ```
     /// use jointproof::connector::slot::plane::{GeometricStiffness, PlaneLoads};

@@ -18,7 +18,7 @@ use nalgebra::{SVector, Vector3};
 pub struct Pose {
     /// The triad of node a.
     pub triad_a: Triad,
-    /// The triad of node b; a's where none is given.
+    /// The triad of node b; that of a if b has none.
     pub triad_b: Triad,
     /// The position of node a.
     pub xa: Vector3<f64>,
@@ -27,7 +27,7 @@ pub struct Pose {
 }
 
 impl Pose {
-    /// What [`Slot`] sees of it.
+    /// The part of the state that [`Slot`] uses.
     pub fn slot(&self) -> slot::Pose {
         slot::Pose { triad: self.triad_a, xa: self.xa, xb: self.xb }
     }
@@ -96,7 +96,7 @@ pub struct Translator {
     align: Align,
     rr: f64,
     l: f64,
-    /// 0 where it is not given.
+    /// 0 if not given.
     k_stick: f64,
     mu: f64,
     fc_int: f64,
@@ -113,7 +113,7 @@ impl Translator {
         Ok(Self { slot, align, rr: 0.0, l: 0.0, k_stick: 0.0, mu: 0.0, fc_int: 0.0 })
     }
 
-    /// Sets the constitutive reference length; the initial length otherwise.
+    /// Sets the constitutive reference length; by default it is the initial length.
     ///
     /// # Errors
     /// As [`Slot::with_reference_length`].
@@ -129,7 +129,7 @@ impl Translator {
         Ok(Self { slot: self.slot.with_stops(l1_min, l1_max)?, ..self })
     }
 
-    /// Sets the lower stop; the upper one stays as it is, or missing.
+    /// Sets the lower stop; the upper one is unchanged.
     ///
     /// # Errors
     /// As [`Slot::with_stops`].
@@ -137,7 +137,7 @@ impl Translator {
         Ok(Self { slot: self.slot.with_lower_stop(l1_min)?, ..self })
     }
 
-    /// Sets the upper stop; the lower one stays as it is, or missing.
+    /// Sets the upper stop; the lower one is unchanged.
     ///
     /// # Errors
     /// As [`Slot::with_stops`].
@@ -145,7 +145,7 @@ impl Translator {
         Ok(Self { slot: self.slot.with_upper_stop(l1_max)?, ..self })
     }
 
-    /// Sets the friction coefficient μ ≥ 0 and the internal contact force; no friction otherwise.
+    /// Sets the friction coefficient μ ≥ 0 and the internal contact force; by default there is no friction.
     ///
     /// # Errors
     /// `mu` negative or not finite, `fc_int` not finite.
@@ -155,7 +155,7 @@ impl Translator {
         Ok(Self { mu, fc_int, ..self })
     }
 
-    /// Sets the stiffness in stick, > 0 (F/L), which [`newton`](Self::newton) needs where there is friction.
+    /// Sets the stiffness in stick, > 0 (F/L), which [`newton`](Self::newton) needs if there is friction.
     ///
     /// # Errors
     /// `k_stick` not positive and finite.
@@ -164,8 +164,8 @@ impl Translator {
         Ok(Self { k_stick, ..self })
     }
 
-    /// Sets the levers of the moments in friction: the effective radius for torque, the overlapping length for bending.
-    /// A lever of 0, as without this, ignores its moment.
+    /// Sets the levers of the moments in friction: the effective radius for torque, the overlapping length for bending. A lever
+    /// of 0, the default, ignores its moment.
     ///
     /// # Errors
     /// `rr` or `l` negative or not finite.
@@ -175,17 +175,17 @@ impl Translator {
         Ok(Self { rr, l, ..self })
     }
 
-    /// The SLOT in it.
+    /// The SLOT that it contains.
     pub fn slot(&self) -> &Slot {
         &self.slot
     }
 
-    /// The ALIGN in it.
+    /// The ALIGN that it contains.
     pub fn align(&self) -> &Align {
         &self.align
     }
 
-    /// By how much b is off the slot and out of alignment.
+    /// The deviations of b from the slot and from its initial orientation.
     ///
     /// # Errors
     /// As [`Slot::constraint`] and [`Align::constraint`].
@@ -219,7 +219,7 @@ impl Translator {
         Ok((AllResiduals { gy, gz, ur1, ur2, ur3 }, gradients))
     }
 
-    /// Where b is in the triad of a.
+    /// The position of b in the triad of a.
     ///
     /// # Errors
     /// As [`Slot::relative_position`].
@@ -235,7 +235,7 @@ impl Translator {
         self.slot.relative_motion(&pose.slot())
     }
 
-    /// Distances to the stops, infinite to one that is missing; `None` without stops.
+    /// The distances to the stops, infinite for a missing stop; `None` without stops.
     ///
     /// # Errors
     /// As [`Slot::gaps`].
@@ -243,7 +243,7 @@ impl Translator {
         self.slot.gaps(&pose.slot())
     }
 
-    /// The force on b that holds it on the slot, in the global frame.
+    /// The constraint force on b, in the global frame.
     ///
     /// # Errors
     /// A force that is not finite.
@@ -289,7 +289,7 @@ impl Translator {
         FrictionLoads { f1, f2, f3, m1, m2, m3, rr, l, fc_int, mu }
     }
 
-    /// The element that a solver calls, in any number: its start, and its friction where μ is not 0.
+    /// The element that a solver calls: its start, and its friction if μ is not 0.
     pub fn element(&self) -> Parameters<TranslatorElement, f64, 5> {
         let (SlotStart { x0, y0, z0 }, Self { rr, l, k_stick, fc_int, mu, .. }) = (self.slot.element().start, *self);
         let Angles { alpha: alpha0, beta: beta0, gamma: gamma0 } = self.align.initial();
@@ -299,11 +299,11 @@ impl Translator {
         }
     }
 
-    /// What it adds to a step of Newton's method, and the state after it, from the multipliers and the state in the last converged
-    /// increment.
+    /// The contribution to a step of Newton's method, and the state after it, from the multipliers and the state in the last
+    /// converged increment.
     ///
     /// # Errors
-    /// As [`Parameters::newton`]; where μ is not 0, a stiffness in stick that was not given.
+    /// As [`Parameters::newton`]; if μ is not 0, also a missing stiffness in stick.
     pub fn newton(
         &self,
         pose: &Pose,

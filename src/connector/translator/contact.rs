@@ -1,4 +1,4 @@
-//! What presses the parts of a TRANSLATOR together: torque, radial force and bending, each for itself.
+//! The loads that press the parts of a TRANSLATOR together: torque, radial force and bending, each separately.
 
 #![expect(clippy::inline_always, reason = "a call would write the loads to memory, and wait for them there")]
 
@@ -16,7 +16,7 @@ fields! {
     pub struct Torque<T> { m1: T = M1, rr: T = RR }
 }
 fields! {
-    /// Magnitude of the torque, and the contact force that it produces.
+    /// Magnitude of the torque, and the contact force due to it.
     pub struct TorqueContact<T> { m_torq: T = M_TORQ, f_torq: T = F_TORQ }
 }
 
@@ -59,11 +59,11 @@ impl Formula for TorqueForce {
 }
 
 fields! {
-    /// Contact force from the force across the slot.
+    /// Contact force due to the force normal to the slot.
     pub struct RadialContact<T> { fr: T = FR }
 }
 
-/// Contact force from the force across the slot, which is that of a SLOT: `F_r = √(f2² + f3²)`.
+/// Contact force due to the force normal to the slot, the same as in a SLOT: `F_r = √(f2² + f3²)`.
 #[derive(Clone, Copy, Debug)]
 pub struct RadialForce;
 
@@ -100,7 +100,7 @@ fields! {
     pub struct Bending<T> { m2: T = M2, m3: T = M3, l: T = L_OVERLAP }
 }
 fields! {
-    /// Magnitude of the bending moment, and the contact force that it produces.
+    /// Magnitude of the bending moment, and the contact force due to it.
     pub struct BendingContact<T> { m_bend: T = M_BEND, f_bend: T = F_BEND }
 }
 

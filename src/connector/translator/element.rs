@@ -1,4 +1,5 @@
-//! TRANSLATOR: SLOT's element and ALIGN's, with a friction along the slot that the moments press for as the forces do.
+//! TRANSLATOR: the elements of SLOT and ALIGN, with a friction along the slot to which the moments contribute as well as the
+//! forces.
 
 #[cfg(feature = "verify")]
 mod proof;
@@ -21,7 +22,7 @@ use crate::formula::{Component, Document, Field, Fields, Formula, Spec};
 use crate::number::scalar::Scalar;
 use nalgebra::{SVector, Vector3};
 
-/// TRANSLATOR as an element: multipliers f2, f3 and those of ALIGN's three angles.
+/// TRANSLATOR as an element, with the multipliers f2, f3 and those of ALIGN's three angles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TranslatorElement;
 
@@ -32,14 +33,14 @@ fields! {
     }
 }
 fields! {
-    /// How b rubs in the slot: a radius of 0 ignores the torque, a length of 0 bending.
+    /// The parameters of the friction of b in the slot: a radius of 0 ignores the torque, a length of 0 bending.
     pub struct TranslatorContact<T> {
         k_stick: T = K_STICK, rr: T = RR, l: T = L_OVERLAP, fc_int: T = FC_INT, mu: T = MU,
     }
 }
 
 impl<D: Scalar> TranslatorContact<D> {
-    /// The friction force after a motion, with its derivatives with respect to u1, and to f2, f3, m1, m2 and m3.
+    /// The friction force after a motion, with its derivatives with respect to u1 and to f2, f3, m1, m2 and m3.
     fn rub(&self, u1: D, before: &SlotState<D>, [f2, f3]: [D; 2], [m1, m2, m3]: [D; 3]) -> (D, D, [D; 5]) {
         let Self { k_stick, rr, l, fc_int, mu } = *self;
         let loads = FrictionLoads { f1: D::zero(), f2, f3, m1, m2, m3, rr, l, fc_int, mu };
@@ -97,8 +98,8 @@ impl Element<5> for TranslatorElement {
 
         let aligning = AlignLoads::new(&triads, [l1, l2, l3]);
         let (moments, k_align) = (angle::Moments::eval(&aligning), angle::GeometricStiffness::eval(&aligning));
-        // A turn of b about e1a changes α alone, by as much: the moment about e1a is the first multiplier. The sum e1a·m_b would lose
-        // digits to the others.
+        // A rotation of b about e1a changes only α, by the same angle, so the moment about e1a is the first multiplier. The sum
+        // e1a·m_b would lose digits to the other terms.
         let [_, e2a, e3a] = nodes.a();
         let along_axes = [l1, e2a.dot(&moments.mb), e3a.dot(&moments.mb)];
         let u1 = RelativePosition::eval(&positions).x - parameters.start.x0;
@@ -111,7 +112,7 @@ impl Element<5> for TranslatorElement {
             line::GeometricStiffness::eval(&loads).matrix() + k_align.matrix(),
         );
         let Some((f1, by_u1, [by_f2, by_f3, by_m1, by_m2, by_m3])) = rubbed else { return (found, *before) };
-        // The other moments change with m_b, and with the axes as a turns.
+        // The other moments change with m_b, and with the axes when a rotates.
         let pressing: Vector3<D> = e2a * by_m2 + e3a * by_m3;
         let by_ta = pressing.cross(&moments.mb) - k_align.k_tb_tb * pressing;
         let by_tb = k_align.k_tb_tb.transpose() * pressing;

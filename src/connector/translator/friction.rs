@@ -1,4 +1,4 @@
-//! The contact force of torque, radial force and bending together, and the friction that it allows.
+//! The total contact force from torque, radial force and bending, and the friction that it allows.
 
 #![expect(clippy::inline_always, reason = "a call would write the loads to memory, and wait for them there")]
 

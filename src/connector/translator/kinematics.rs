@@ -18,7 +18,7 @@ use crate::number::scalar::Scalar;
 use nalgebra::Vector3;
 
 fields! {
-    /// Where both nodes are, how they are turned, and the initial position and angles.
+    /// The positions and triads of both nodes, and the initial position and angles.
     pub struct Placement<T> {
         e1a: Vector3<T> = E1A, e2a: Vector3<T> = E2A, e3a: Vector3<T> = E3A,
         e1b: Vector3<T> = E1B, e2b: Vector3<T> = E2B, e3b: Vector3<T> = E3B,
@@ -27,12 +27,12 @@ fields! {
     }
 }
 fields! {
-    /// By how much b is off the slot and out of alignment.
+    /// The deviations of b from the slot and from its initial orientation.
     pub struct AllResiduals<T> { gy: T = GY, gz: T = GZ, ur1: T = UR1, ur2: T = UR2, ur3: T = UR3 }
 }
 
 impl<T: Component> Placement<T> {
-    /// From what SLOT and ALIGN see of it.
+    /// Combines the inputs of SLOT and ALIGN.
     #[inline]
     pub const fn new(slot: &SlotPositions<T>, align: &Orientations<T>) -> Self {
         let SlotPositions { xa, xb, y0, z0, .. } = *slot;
@@ -40,14 +40,14 @@ impl<T: Component> Placement<T> {
         Self { e1a, e2a, e3a, e1b, e2b, e3b, xa, xb, y0, z0, alpha0, beta0, gamma0 }
     }
 
-    /// What SLOT sees of it.
+    /// The inputs of SLOT.
     #[inline]
     pub const fn slot(&self) -> SlotPositions<T> {
         let Self { e2a, e3a, xa, xb, y0, z0, .. } = *self;
         SlotPositions { e2a, e3a, xa, xb, y0, z0 }
     }
 
-    /// What ALIGN sees of it.
+    /// The inputs of ALIGN.
     #[inline]
     pub const fn align(&self) -> Orientations<T> {
         let Self { e1a, e2a, e3a, e1b, e2b, e3b, alpha0, beta0, gamma0, .. } = *self;

@@ -1,14 +1,14 @@
-//! The arm of the cross: how its slenderness λ = La/Rp shares a load out among the hinges.
+//! The arm of the cross: how its slenderness λ = La/Rp distributes a load among the hinges.
 //!
-//! The source prints no formula, only where the factors end: a stubby arm is rigid, a slender one an Euler–Bernoulli beam,
-//! with Timoshenko beams between. Both pairs of factors follow from one curve,
+//! The source prints no formula, only the limits of the factors: a stubby arm is rigid, a slender one is an Euler–Bernoulli beam,
+//! with Timoshenko beams in between. Both pairs of factors follow from one curve,
 //!
 //! ```text
 //! σ(λ) = λ²/(λ² + k),   0 for a rigid arm, 1 for a slender one
 //! ```
 //!
-//! with k = 33/5 for the twisting moment and k = 6 for axial forces. The book derives both and sets
-//! the neighbouring models beside them; [`timoshenko`] is the nearest.
+//! with k = 33/5 for the twisting moment and k = 6 for axial forces. The book derives both and compares them with related models;
+//! [`timoshenko`] is the nearest.
 
 #[cfg(feature = "verify")]
 mod proof;
@@ -32,7 +32,7 @@ struct Slenderness<D> {
 }
 
 impl<D: Scalar> Arm<D> {
-    /// σ with k = `above`/`below`, both integers, since k is not always a double.
+    /// σ with k = `above`/`below`, both integers, since k is not always representable as a double.
     #[inline]
     fn slenderness(&self, above: f64, below: f64) -> Slenderness<D> {
         let [slender, rigid, la, rp] = choice(|| {
@@ -50,8 +50,8 @@ impl<D: Scalar> Arm<D> {
 
     /// σ = below La²/(below La² + above Rp²). From λ dσ/dλ = 2σ(1 − σ) its gradient is 2σ(1 − σ) (1/La, −1/Rp).
     ///
-    /// Only the smaller of σ and 1 − σ is a quotient, and the other is what is left of 1: the derivative of the larger
-    /// quotient, as automatic differentiation takes it, is the difference of two terms that hardly differ.
+    /// Only the smaller of σ and 1 − σ is computed as a quotient, and the other is its difference from 1: the derivative of the
+    /// larger quotient by automatic differentiation would be the difference of two nearly equal terms.
     #[inline]
     fn regular_slenderness(&self, above: f64, below: f64) -> Slenderness<D> {
         let Self { la, rp } = *self;
@@ -65,7 +65,7 @@ impl<D: Scalar> Arm<D> {
         Slenderness { slender, rigid, gradient: Self { la: slope * rp, rp: -slope * la } }
     }
 
-    /// Only the ratio of the lengths counts: brings the larger to 1, lest squares under- or overflow.
+    /// Only the ratio of the lengths matters: scales the larger to 1, so that squares neither under- nor overflow.
     #[cold]
     fn rescaled_slenderness(self, above: f64, below: f64) -> Slenderness<D> {
         let larger = if self.la > self.rp { self.la } else { self.rp };
@@ -74,13 +74,13 @@ impl<D: Scalar> Arm<D> {
         Slenderness { slender, rigid, gradient: Self { la: gradient.la / larger, rp: gradient.rp / larger } }
     }
 
-    /// With the k of the twisting moment: ¾ φ λ² = ¾ · 44/5.
+    /// σ with the k of the twisting moment: ¾ φ λ² = ¾ · 44/5.
     #[inline]
     fn twist_slenderness(&self) -> Slenderness<D> {
         self.slenderness(33.0, 5.0)
     }
 
-    /// With the k of axial forces.
+    /// σ with the k of axial forces.
     #[inline]
     fn axial_slenderness(&self) -> Slenderness<D> {
         self.slenderness(6.0, 1.0)
@@ -88,7 +88,7 @@ impl<D: Scalar> Arm<D> {
 }
 
 fields! {
-    /// What share of the twisting moment a hinge carries: as moment, and as force times arm length.
+    /// The shares of the twisting moment that a hinge carries: as moment, and as force times arm length.
     pub struct TwistShares<T> { alpha_twist: T = ALPHA_TWIST, beta_twist: T = BETA_TWIST }
 }
 
@@ -142,7 +142,7 @@ impl Formula for TwistFactors {
 }
 
 fields! {
-    /// What share of an axial force the hinges of either axis carry.
+    /// The shares of an axial force that the hinges of either axis carry.
     pub struct AxialShares<T> { alpha_axial: T = ALPHA_AXIAL, beta_axial: T = BETA_AXIAL }
 }
 
@@ -153,8 +153,8 @@ impl<D: Scalar> AxialShares<D> {
     }
 }
 
-/// Shares of an axial force: α_axial = (λ² + 3)/(2(λ² + 6)) along the loaded axis, β_axial = 3/(2(λ² + 6)) across the other,
-/// λ = La/Rp.
+/// Shares of an axial force: α_axial = (λ² + 3)/(2(λ² + 6)) along the loaded axis, β_axial = 3/(2(λ² + 6)) transverse to the
+/// other, λ = La/Rp.
 ///
 /// In terms of σ = λ²/(λ² + 6): α_axial = (1 + σ)/4, β_axial = (1 − σ)/4.
 #[derive(Clone, Copy, Debug)]
@@ -198,7 +198,7 @@ pub fn timoshenko<D: Scalar>(phi: D) -> D {
     (-phi + 2.0) / ((phi + 4.0) * 4.0)
 }
 
-/// φ = 12 EI/(κ G A La²) = (7 + 6ν)/λ² for a round arm of ν = 0.3: how much the arm shears for how much it bends.
+/// φ = 12 EI/(κ G A La²) = (7 + 6ν)/λ² for a round arm of ν = 0.3: the ratio of shear to bending deformation of the arm.
 #[inline]
 pub fn phi<D: Scalar>(arm: &Arm<D>) -> D {
     let ratio = arm.rp / arm.la;

@@ -26,11 +26,11 @@ pub struct Loads {
     pub f2: f64,
     /// Constraint force along the third axis of a.
     pub f3: f64,
-    /// Kinetic moment about the first axis of a, which is free to turn: conjugate to ur1.
+    /// Kinetic moment about the first axis of a, which is free to rotate: conjugate to ur1.
     pub m1: f64,
-    /// Constraint moment about the direction across the cross, cos α e2a + sin α e3a.
+    /// Constraint moment about the direction normal to the cross, cos α e2a + sin α e3a.
     pub m2: f64,
-    /// Kinetic moment about the third axis of b, which is free to turn: conjugate to ur3.
+    /// Kinetic moment about the third axis of b, which is free to rotate: conjugate to ur3.
     pub m3: f64,
 }
 
@@ -62,7 +62,7 @@ impl Stops {
         theta3_max: f64::INFINITY,
     };
 
-    /// The angles left before each stop, infinite before one that is missing.
+    /// The remaining angles to the stops, infinite for a missing stop.
     fn gaps(&self, Turns { alpha, gamma }: Turns<f64>) -> Result<AngleGaps<f64>, Error> {
         let [theta1_min, theta1_max] = both(self.theta1_min, self.theta1_max);
         let [theta3_min, theta3_max] = both(self.theta3_min, self.theta3_max);
@@ -77,7 +77,7 @@ impl Stops {
     }
 }
 
-/// Both stops of an angle, where one may stand for the other that is missing.
+/// Both stops of an angle, where a missing stop is replaced by the other.
 fn both(min: f64, max: f64) -> [f64; 2] {
     match (min == f64::NEG_INFINITY, max == f64::INFINITY) {
         (true, true) => [0.0; 2],
@@ -87,20 +87,20 @@ fn both(min: f64, max: f64) -> [f64; 2] {
     }
 }
 
-/// The cross, and how its hinges rub.
+/// The dimensions of the cross, and the friction of its hinges.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cross {
     /// Radius of the pins, > 0.
     pub rp: f64,
     /// Length of an arm from the centre to the pin, > 0.
     pub la: f64,
-    /// Friction arm of the axial force of a pin; 0 ignores that force.
+    /// Lever arm of the friction due to the axial force of a pin; 0 ignores that force.
     pub ra: f64,
     /// Length over which pin and sleeve overlap; 0 ignores the bending moments.
     pub ls: f64,
     /// Friction coefficient, ≥ 0.
     pub mu: f64,
-    /// Internal contact moment about the first axis of a, as of a press fit.
+    /// Internal contact moment about the first axis of a, for example of a press fit.
     pub mc1_int: f64,
     /// Internal contact moment about the third axis of b.
     pub mc3_int: f64,
@@ -128,7 +128,7 @@ impl Cross {
 }
 
 impl UJointContact<f64> {
-    /// Hinges that rub as those of this cross, and what they resist while they stick, in moment per radian.
+    /// The friction parameters of the hinges of this cross, with their stiffnesses in stick, in moment per radian.
     pub const fn new(cross: Cross, [k_stick1, k_stick3]: [f64; 2]) -> Self {
         let Cross { rp, la, ra, ls, mu, mc1_int, mc3_int } = cross;
         Self { k_stick1, k_stick3, rp, la, ra, ls, mc1_int, mc3_int, mu }
@@ -169,12 +169,12 @@ pub struct UJoint {
     universal: Universal,
     stops: Option<Stops>,
     cross: Option<Cross>,
-    /// 0 where they are not given.
+    /// 0 if not given.
     k_stick: [f64; 2],
 }
 
 impl UJoint {
-    /// Keeps b in its place and both axes of the cross at their initial angle, a right one as a rule.
+    /// Keeps b at its initial position and both axes of the cross at their initial angle, normally a right angle.
     ///
     /// # Errors
     /// As [`Join::new`] and [`Universal::new`].
@@ -184,7 +184,7 @@ impl UJoint {
         Ok(Self { join, universal, stops: None, cross: None, k_stick: [0.0; 2] })
     }
 
-    /// Sets the constitutive reference angles; the initial ones otherwise.
+    /// Sets the constitutive reference angles; by default they are the initial ones.
     ///
     /// # Errors
     /// As [`Universal::with_reference_angles`].
@@ -192,7 +192,7 @@ impl UJoint {
         Ok(Self { universal: self.universal.with_reference_angles(theta1_ref, theta3_ref)?, ..self })
     }
 
-    /// Sets the stops of both free angles; no stops otherwise.
+    /// Sets the stops of both free angles; by default there are none.
     ///
     /// # Errors
     /// A stop that is not finite, or a lower stop above its upper one.
@@ -201,7 +201,7 @@ impl UJoint {
         Ok(Self { stops: Some(*stops), ..self })
     }
 
-    /// Sets the cross and its friction; no friction otherwise.
+    /// Sets the cross and its friction; by default there is no friction.
     ///
     /// # Errors
     /// `rp` or `la` not above 0; `ra`, `ls` or `mu` negative; any of them, `mc1_int` or `mc3_int` not finite.
@@ -210,7 +210,7 @@ impl UJoint {
         Ok(Self { cross: Some(*cross), ..self })
     }
 
-    /// Sets the stiffnesses in stick about e1a and about e3b, > 0 (moment per radian), which [`newton`](Self::newton) needs where
+    /// Sets the stiffnesses in stick about e1a and about e3b, > 0 (moment per radian), which [`newton`](Self::newton) needs if
     /// there is friction.
     ///
     /// # Errors
@@ -221,17 +221,17 @@ impl UJoint {
         Ok(Self { k_stick: [k_stick1, k_stick3], ..self })
     }
 
-    /// The JOIN in it.
+    /// The JOIN that it contains.
     pub const fn join(&self) -> &Join {
         &self.join
     }
 
-    /// The UNIVERSAL in it.
+    /// The UNIVERSAL that it contains.
     pub const fn universal(&self) -> &Universal {
         &self.universal
     }
 
-    /// By how much b is out of its place, and the cross out of its angle.
+    /// The displacement of b from its initial position, and the deviation of the cross from its initial angle.
     ///
     /// # Errors
     /// As [`Join::constraint`] and [`Universal::constraint`].
@@ -259,7 +259,7 @@ impl UJoint {
         Ok((JointResiduals { g, g_rot }, JointResiduals { g: by_join.g.map(of_join), g_rot: of_universal }))
     }
 
-    /// The angles about both free axes, followed from those of the last state ([`Universal::turns_from`]).
+    /// The angles about both free axes, continued from those of the last state ([`Universal::turns_from`]).
     ///
     /// # Errors
     /// As [`Universal::turns_from`].
@@ -267,7 +267,7 @@ impl UJoint {
         self.universal.turns_from(last, &pose.triad_a, &pose.triad_b)
     }
 
-    /// The rotations about both free axes, followed from the angles of the last state.
+    /// The rotations about both free axes, continued from the angles of the last state.
     ///
     /// # Errors
     /// As [`Universal::relative_motion_from`].
@@ -283,8 +283,8 @@ impl UJoint {
         self.universal.relative_motion(&pose.triad_a, &pose.triad_b)
     }
 
-    /// Angles left before the stops ([`Stop`]), within half a turn of the start, infinite before one that is missing; `None`
-    /// without stops.
+    /// The remaining angles to the stops ([`Stop`]), within half a turn of the start, infinite for a missing stop; `None` without
+    /// stops.
     ///
     /// # Errors
     /// [`Error::GimbalLock`].
@@ -292,7 +292,7 @@ impl UJoint {
         self.gaps_from(&self.universal.initial(), pose)
     }
 
-    /// Angles left before the stops, followed from the angles of the last state; `None` without stops.
+    /// The remaining angles to the stops, continued from the angles of the last state; `None` without stops.
     ///
     /// # Errors
     /// [`Error::GimbalLock`].
@@ -302,7 +302,7 @@ impl UJoint {
         stops.gaps(turns).map(Some)
     }
 
-    /// The force on b that holds it in its place, in the global frame.
+    /// The constraint force on b, in the global frame.
     ///
     /// # Errors
     /// As [`Join::constraint_force`].
@@ -310,11 +310,11 @@ impl UJoint {
         self.join.constraint_force(triad_a, [loads.f1, loads.f2, loads.f3])
     }
 
-    /// The moment on b that keeps the cross at its angle, in the global frame: m2 about cos α e2a + sin α e3a.
+    /// The constraint moment on b that acts on the cross, in the global frame: m2 about cos α e2a + sin α e3a.
     ///
-    /// It does work m2 dβ on the second Cardan angle. The residual is a cosine and not an angle, g_rot = sin β − c0, so
-    /// that the Jacobian's transpose times m2 is cos β times this moment: the same where the axes of the cross are
-    /// perpendicular, β = 0, as they are in a joint as it is meant.
+    /// It does the work m2 dβ on the second Cardan angle. The residual is a cosine and not an angle, g_rot = sin β − c0, so that
+    /// the Jacobian's transpose times m2 is cos β times this moment: the two are equal if the axes of the cross are
+    /// perpendicular, β = 0, as in a joint by design.
     ///
     /// # Errors
     /// As [`Universal::constraint_moment`].
@@ -372,7 +372,7 @@ impl UJoint {
         self.cross.map(|cross| cross.inputs(&pose.triad_a, &pose.triad_b, loads))
     }
 
-    /// The element that a solver calls, in any number: its start, and its friction where μ is not 0.
+    /// The element that a solver calls: its start, and its friction if μ is not 0.
     pub fn element(&self) -> Parameters<UJointElement, f64, 4> {
         let Turns { alpha: alpha0, gamma: gamma0 } = self.universal.initial();
         let (d0, c0) = (self.join.initial_position(), self.universal.initial_cosine());
@@ -383,11 +383,11 @@ impl UJoint {
         }
     }
 
-    /// What it adds to a step of Newton's method, and the state after it, from the multipliers and the state in the last converged
-    /// increment.
+    /// The contribution to a step of Newton's method, and the state after it, from the multipliers and the state in the last
+    /// converged increment.
     ///
     /// # Errors
-    /// As [`Parameters::newton`]; where μ is not 0, a stiffness in stick that was not given.
+    /// As [`Parameters::newton`]; if μ is not 0, also a missing stiffness in stick.
     pub fn newton(
         &self,
         pose: &Pose,

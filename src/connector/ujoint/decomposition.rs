@@ -1,4 +1,4 @@
-//! The force at the centre of the cross in parts along its axes and across them.
+//! The decomposition of the force at the centre of the cross along its axes and normal to them.
 
 #![expect(clippy::inline_always, reason = "value and gradients share the force where they are compiled as one piece")]
 
@@ -14,22 +14,22 @@ use crate::number::scalar::{Leaf, Scalar, abs, choice, leaf, number_if};
 use nalgebra::Vector3;
 
 fields! {
-    /// How the nodes are turned, and the force that JOIN transmits.
+    /// The orientation of the nodes, and the force that JOIN transmits.
     pub struct CrossLoads<T> {
         e1a: Vector3<T> = E1A, e2a: Vector3<T> = E2A, e3a: Vector3<T> = E3A, e3b: Vector3<T> = E3B,
         f1: T = JOIN_F1, f2: T = F2, f3: T = F3,
     }
 }
 fields! {
-    /// The force along the axes of the cross and across them.
+    /// The force along the axes of the cross and normal to them.
     pub struct CrossForces<T> { f_axial1: T = F_AXIAL1, f_axial3: T = F_AXIAL3, f_bend: T = CROSS_F_BEND }
 }
 
-/// The force F = f1 e1a + f2 e2a + f3 e3a along the axes of the cross and across them: F·e1a, F·e3b, F·(e1a × e3b).
+/// The force F = f1 e1a + f2 e2a + f3 e3a along the axes of the cross and normal to them: F·e1a, F·e3b, F·(e1a × e3b).
 ///
-/// The part f1 e1a has nothing across the cross, whatever the vectors are; it is left out there, lest its rounding show.
-/// The signs of all three are right: where one force alone acts along an axis of a's triad, F·e1a is what rounding
-/// has left in the triad, and the derivative of |F·e1a| hangs on its sign.
+/// The part f1 e1a has no component normal to the cross, whatever the vectors are; it is omitted there to avoid its rounding
+/// errors. The signs of all three results are correct: if a single force acts along an axis of a's triad, F·e1a consists of
+/// rounding errors of the triad, and the derivative of |F·e1a| depends on its sign.
 #[derive(Clone, Copy, Debug)]
 pub struct Decomposition;
 
@@ -46,7 +46,7 @@ impl<D: Scalar> CrossLoads<D> {
     }
 }
 
-/// The force, and the vectors that it is multiplied by.
+/// The force, and the vectors by which it is multiplied.
 struct Parts<D> {
     beside: Vector3<D>,
     force: Vector3<D>,
@@ -60,7 +60,7 @@ impl<D: Scalar> Parts<D> {
         Self { force: i.e1a * i.f1 + beside, beside, e_cross: i.e_cross() }
     }
 
-    /// The three products as they stand.
+    /// The three products, evaluated directly.
     #[inline(always)]
     fn decomposed(&self, i: &CrossLoads<D>) -> CrossForces<D> {
         CrossForces {
@@ -70,10 +70,10 @@ impl<D: Scalar> Parts<D> {
         }
     }
 
-    /// The same with the right signs. What is small within the choice is compiled in its place.
+    /// The products with correct signs. Small parts of the choice are inlined.
     #[inline(always)]
     fn value(&self, i: &CrossLoads<D>) -> CrossForces<D> {
-        // Before the choice: within it, value and Jacobian take a third longer.
+        // Computed before the choice: inside it, value and Jacobian would take a third longer.
         let (rough, rounding) = (self.decomposed(i), i.most_rounding());
         let [f_axial1, f_axial3, f_bend] = choice(|| {
             let is_certain = D::takes_shortcuts() && rough.smallest() > rounding;
@@ -122,7 +122,7 @@ impl<D: Scalar> Parts<D> {
 }
 
 impl<D: Scalar> CrossForces<D> {
-    /// The size of the smallest. NaN is passed over, unless it is the first, which nothing is smaller than.
+    /// The size of the smallest result. NaN is skipped, unless it is the first, since nothing compares smaller than NaN.
     #[inline(always)]
     fn smallest(&self) -> D::Leaf {
         let smaller = |x: D::Leaf, y: D::Leaf| if y < x { y } else { x };
@@ -131,10 +131,11 @@ impl<D: Scalar> CrossForces<D> {
 }
 
 impl<D: Scalar> CrossLoads<D> {
-    /// What is above this is above all three of [`Self::rounding`], at less cost: 32 units of Σ |f e| (e1a² + 1) (e3b² + 1).
+    /// A bound of all three numbers of [`Self::rounding`] that is cheaper to compute: 32 ε Σ |f e| (e1a² + 1) (e3b² + 1).
     ///
-    /// The sizes of a vector's components add up to at most √3 times its length, which is at most (e² + 1) / 2: the largest of the
-    /// three is below 3.5 such units. Where terms underflow their sum is at least a seventh of what it should be, or all are zero.
+    /// The sizes of a vector's components add up to at most √3 times its length, which is at most (e² + 1) / 2: the largest of
+    /// the three is below 3.5 ε times that sum. If terms underflow, their sum is at least a seventh of the exact one, or all
+    /// terms are zero.
     #[inline(always)]
     fn most_rounding(&self) -> D::Leaf {
         let Self { e1a, e2a, e3a, e3b, f1, f2, f3 } = self;

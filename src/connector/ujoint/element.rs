@@ -1,7 +1,7 @@
-//! UJOINT: the element of JOIN and UNIVERSAL, with friction moments about both axes of the cross.
+//! UJOINT: the elements of JOIN and UNIVERSAL, with friction moments about both axes of the cross.
 //!
-//! A friction moment works against a Cardan angle, so that its part in forces and stiffness is ALIGN's, with the opposite
-//! moments in place of the multipliers.
+//! A friction moment works against a Cardan angle, so that its contribution to forces and stiffness is that of ALIGN, with the
+//! opposite moments in place of the multipliers.
 
 #[cfg(feature = "verify")]
 mod proof;
@@ -29,7 +29,7 @@ use crate::formula::{Component, Document, Field, Fields, Formula, Spec};
 use crate::number::scalar::Scalar;
 use nalgebra::{Vector3, Vector4};
 
-/// UJOINT as an element: multipliers f1, f2, f3 of JOIN and that of UNIVERSAL.
+/// UJOINT as an element, with the multipliers f1, f2, f3 of JOIN and that of UNIVERSAL.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct UJointElement;
 
@@ -38,18 +38,18 @@ fields! {
     pub struct UJointStart<T> { d0: Vector3<T> = D0, c0: T = C0, alpha0: T = ALPHA0, gamma0: T = GAMMA0 }
 }
 fields! {
-    /// How the hinges of the cross rub.
+    /// The parameters of the friction in the hinges of the cross.
     pub struct UJointContact<T> {
         k_stick1: T = K_STICK_R1, k_stick3: T = K_STICK_R3, rp: T = RP, la: T = LA, ra: T = RA, ls: T = LS,
         mc1_int: T = MC1_INT, mc3_int: T = MC3_INT, mu: T = MU,
     }
 }
 fields! {
-    /// By how much α and γ have grown since the start, followed beyond half a turn, and the friction moments: at the start all are 0.
+    /// The increases of α and γ since the start, followed beyond half a turn, and the friction moments: at the start all are 0.
     pub struct UJointState<T> { ur1: T = TURN1, ur3: T = TURN3, m1: T = CROSS_M1, m3: T = CROSS_M3 }
 }
 
-/// Loads that press in the hinges, as a gradient, and how a friction moment changes with its own turn.
+/// A friction moment, its derivative with respect to its own rotation, and its gradient with respect to the loads.
 struct Rubbed<D> {
     moment: D,
     by_turn: D,
@@ -57,7 +57,7 @@ struct Rubbed<D> {
 }
 
 impl<D: Scalar> UJointContact<D> {
-    /// The friction moments about both axes of the cross after turns.
+    /// The friction moments about both axes of the cross, after these rotations.
     fn rub(
         &self,
         nodes: &Nodes<D>,
@@ -81,7 +81,7 @@ impl<D: Scalar> UJointContact<D> {
     }
 }
 
-/// By how much α and γ have grown since the start.
+/// The increases of α and γ since the start.
 pub(super) fn turned<D: Scalar>(nodes: &Nodes<D>, start: &UJointStart<D>, before: &UJointState<D>) -> [D; 2] {
     let Turns { alpha, gamma } = Angles::eval(&nodes.triads());
     [nearest(alpha - start.alpha0, before.ur1), nearest(gamma - start.gamma0, before.ur3)]
@@ -108,7 +108,7 @@ impl Element<4> for UJointElement {
     type Contact<T: Component> = UJointContact<T>;
     type State<T: Component> = UJointState<T>;
 
-    /// Friction asks for the angles of the cross.
+    /// Friction needs the angles of the cross.
     fn validate<D: Scalar>(nodes: &Nodes<D>, parameters: &Parameters<Self, D, 4>) -> Result<(), Error> {
         if parameters.contact.is_some() { angle::Rows::validate(&nodes.triads()) } else { Ok(()) }
     }

@@ -16,7 +16,7 @@ use crate::number::scalar::{Scalar, abs, sign};
 use nalgebra::Vector3;
 
 fields! {
-    /// As [`JointLoads`], then the moments about the free axes and the friction parameters.
+    /// The inputs of [`JointLoads`], then the moments about the free axes and the friction parameters.
     pub struct FrictionLoads<T> {
         e1a: Vector3<T> = E1A, e2a: Vector3<T> = E2A, e3a: Vector3<T> = E3A, e3b: Vector3<T> = E3B,
         f1: T = JOIN_F1, f2: T = F2, f3: T = F3, m2: T = TWIST_M2, rp: T = RP, la: T = LA, ra: T = RA, ls: T = LS,
@@ -29,14 +29,14 @@ fields! {
 }
 
 impl<T: Component> FrictionLoads<T> {
-    /// Without what [`ContactMoments`] does not take.
+    /// The inputs of [`ContactMoments`].
     #[inline]
     pub(super) const fn joint(&self) -> JointLoads<T> {
         let Self { e1a, e2a, e3a, e3b, f1, f2, f3, m2, rp, la, ra, ls, .. } = *self;
         JointLoads { e1a, e2a, e3a, e3b, f1, f2, f3, m2, rp, la, ra, ls }
     }
 
-    /// From its two halves, the second taken from `rest`.
+    /// Combines the joint loads with the other fields, taken from `rest`.
     #[inline]
     pub(crate) const fn of(joint: JointLoads<T>, rest: Self) -> Self {
         let JointLoads { e1a, e2a, e3a, e3b, f1, f2, f3, m2, rp, la, ra, ls } = joint;
@@ -93,7 +93,7 @@ impl Formula for Friction {
         let (NormalMomentPair { mn1, mn3 }, normal) = NormalMoments::linearized(&i.moments(moments));
         let mu = i.mu;
         let zero = FrictionLoads::filled(D::zero());
-        // −μ times the derivative of the normal moment by all that it hangs on.
+        // −μ times the derivatives of the normal moment with respect to all its inputs.
         let of_contact = |by: D, contact: JointLoads<D>| FrictionLoads::of(contact.times(-mu * by), zero);
         let (row1, row3) = (of_contact(normal.mn1.mc1, contact.mc1), of_contact(normal.mn3.mc3, contact.mc3));
         let rows = YieldPair {

@@ -1,4 +1,4 @@
-//! What the loads at the centre of the cross make of forces and moments on its four hinges.
+//! The forces and moments on the four hinges of the cross, from the loads at its centre.
 
 mod axial;
 mod bending;

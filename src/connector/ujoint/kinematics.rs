@@ -1,4 +1,4 @@
-//! What a universal joint holds, and how far its free angles go.
+//! The constraint of a universal joint, and the range of its free angles.
 
 #![expect(clippy::inline_always, reason = "compiled in place, zeros that lie side by side are stored together")]
 
@@ -18,14 +18,14 @@ use crate::number::scalar::Scalar;
 use nalgebra::Vector3;
 
 fields! {
-    /// Where the nodes are, how they are turned, and how they were at the start.
+    /// The positions and axes of the nodes, and their initial configuration.
     pub struct Jointed<T> {
         e1a: Vector3<T> = E1A, e2a: Vector3<T> = E2A, e3a: Vector3<T> = E3A, e3b: Vector3<T> = E3B,
         xa: Vector3<T> = XA, xb: Vector3<T> = XB, d0: Vector3<T> = D0, c0: T = C0,
     }
 }
 fields! {
-    /// By how much the joint is off.
+    /// The deviations of the joint from its initial configuration.
     pub struct JointResiduals<T> { g: Vector3<T> = G_JOIN, g_rot: T = G_ROT }
 }
 
@@ -58,7 +58,7 @@ impl Formula for Constraint {
         let d = i.xb - i.xa;
         let none = Jointed::filled(D::zero());
         let held = |k| along(k, -D::one());
-        // Written out, though JOIN has these rows: put together from those, results are stored in an order that takes longer.
+        // Written out although JOIN has these rows: assembled from those, the results would be stored in a slower order.
         JointResiduals {
             g: Vector3::new(
                 Jointed { e1a: d, xa: -i.e1a, xb: i.e1a, d0: held(0), ..none },
@@ -78,11 +78,11 @@ fields! {
     }
 }
 fields! {
-    /// Angles left before the stops.
+    /// The remaining angles to the stops.
     pub struct AngleGaps<T> { gap1_min: T = GAP1_MIN, gap1_max: T = GAP1_MAX, gap3_min: T = GAP3_MIN, gap3_max: T = GAP3_MAX }
 }
 
-/// Angles left before the stops, all ≥ 0 between them: α − θ1min, θ1max − α, γ − θ3min, θ3max − γ.
+/// The remaining angles to the stops, all ≥ 0 between them: α − θ1min, θ1max − α, γ − θ3min, θ3max − γ.
 #[derive(Clone, Copy, Debug)]
 pub struct Stop;
 

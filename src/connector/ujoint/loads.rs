@@ -1,4 +1,4 @@
-//! The force that the joint transmits, and the direction across the cross.
+//! The force that the joint transmits, and the direction normal to the cross.
 
 #[cfg(feature = "verify")]
 mod proof;
@@ -46,11 +46,11 @@ impl Formula for Reaction {
 }
 
 fields! {
-    /// The direction across them.
+    /// The direction normal to them.
     pub struct CrossNormal<T> { e_cross: Vector3<T> = E_CROSS }
 }
 
-/// The direction across the cross: e_cross = e1a × e3b.
+/// The direction normal to the cross: e_cross = e1a × e3b.
 #[derive(Clone, Copy, Debug)]
 pub struct CrossDirection;
 

@@ -41,14 +41,14 @@ impl Universal {
     /// Keeps the shafts at their initial angle.
     ///
     /// # Errors
-    /// [`Error::GimbalLock`]: the shafts are in one line, so that no angle about them is defined.
+    /// [`Error::GimbalLock`]: the shafts are in one line, so that the angles about them are not defined.
     pub fn new(a: &Triad, b: &Triad) -> Result<Self, Error> {
         let initial = value::<Angles>(&Triads::from((a, b)))?;
         let c0 = value::<Constraint>(&Shafts { e1a: a.e1(), e3b: b.e3(), c0: 0.0 })?.g;
         Ok(Self { c0, initial, theta1_ref: initial.alpha, theta3_ref: initial.gamma })
     }
 
-    /// Sets the constitutive reference angles; the initial ones otherwise.
+    /// Sets the constitutive reference angles; by default they are the initial ones.
     ///
     /// # Errors
     /// An angle that is not finite.
@@ -64,10 +64,10 @@ impl Universal {
         self.c0
     }
 
-    /// By how much the angle between the shafts is off ([`Constraint`]).
+    /// The deviation of the shafts from their initial angle ([`Constraint`]).
     ///
     /// # Errors
-    /// None for triads that were validated; those of the formula are passed on.
+    /// None for validated triads; those of the formula are passed on.
     pub fn constraint(&self, a: &Triad, b: &Triad) -> Result<Skew<f64>, Error> {
         value::<Constraint>(&Shafts { e1a: a.e1(), e3b: b.e3(), c0: self.c0 })
     }
@@ -85,8 +85,8 @@ impl Universal {
         self.initial
     }
 
-    /// The angles about both shafts that are nearest to those of the last state ([`Angles`], and full turns): followed so from
-    /// state to state, a joint may turn as far as it likes, by less than half a turn between two states.
+    /// The angles about both shafts that are nearest to those of the last state ([`Angles`], plus full turns): continued in this
+    /// way from state to state, a joint may rotate without limit, by less than half a turn between two states.
     ///
     /// # Errors
     /// [`Error::GimbalLock`].
@@ -104,7 +104,7 @@ impl Universal {
         self.relative_motion_from(&self.initial, a, b)
     }
 
-    /// The rotations about both shafts, followed from the last state as [`Universal::turns_from`] does.
+    /// The rotations about both shafts, continued from the last state as by [`Universal::turns_from`].
     ///
     /// # Errors
     /// [`Error::GimbalLock`].
@@ -131,12 +131,12 @@ impl Universal {
         value::<KineticMoment>(&Driven { e1a: a.e1(), e3b: b.e3(), m1, m3 })
     }
 
-    /// The element that a solver calls, in any number.
+    /// The element that a solver calls.
     pub const fn element(&self) -> Parameters<UniversalElement, f64, 1> {
         Parameters { start: UniversalStart { c0: self.c0 }, contact: None }
     }
 
-    /// What it adds to a step of Newton's method.
+    /// The contribution to a step of Newton's method.
     ///
     /// # Errors
     /// As [`Parameters::newton`].

@@ -1,4 +1,4 @@
-//! UNIVERSAL: one residual, and moments about the line across both shafts.
+//! UNIVERSAL: one residual, and moments about the line perpendicular to both shafts.
 
 #[cfg(feature = "verify")]
 mod proof;
@@ -14,7 +14,7 @@ use crate::formula::{Component, Document, Field, Fields, Formula, Spec};
 use crate::number::scalar::Scalar;
 use nalgebra::{SMatrix, Vector1};
 
-/// UNIVERSAL as an element: the multiplier of e1a·e3b − c0.
+/// UNIVERSAL as an element, with the multiplier of e1a·e3b − c0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct UniversalElement;
 

@@ -1,4 +1,4 @@
-//! What is held, and what turns.
+//! The constraint on the angle between the shafts, and the free rotations.
 
 #![expect(clippy::inline_always, reason = "what is not inlined is not compiled for vectors")]
 
@@ -20,7 +20,7 @@ fields! {
     pub struct Shafts<T> { e1a: Vector3<T> = E1A, e3b: Vector3<T> = E3B, c0: T = C0 }
 }
 fields! {
-    /// By how much the angle between the shafts is off.
+    /// The deviation of the cosine between the shafts from its initial value.
     pub struct Skew<T> { g: T = G_UNIVERSAL }
 }
 
@@ -49,7 +49,7 @@ impl Formula for Constraint {
 
     #[inline(always)]
     fn jacobian<D: Scalar>(i: &Shafts<D>) -> Jacobian<Self, D> {
-        // By components: copies of whole vectors go through memory, twice.
+        // By components: whole vectors would be copied through memory, twice.
         Skew { g: Shafts { e1a: i.e3b.xyz(), e3b: i.e1a.xyz(), c0: -D::one() } }
     }
 }

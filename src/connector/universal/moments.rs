@@ -1,4 +1,4 @@
-//! The moment that holds the shafts at their angle, and the moments about them.
+//! The constraint moment on the shafts, and the moments about them.
 
 #![expect(clippy::inline_always, reason = "what is not inlined is not compiled for vectors")]
 
@@ -15,7 +15,7 @@ use crate::number::scalar::{Scalar, norm_and_direction};
 use nalgebra::Vector3;
 
 fields! {
-    /// The axes across a's shaft, b's shaft, and the constraint moment.
+    /// The axes normal to a's shaft, b's shaft, and the constraint moment.
     pub struct Twisted<T> { e2a: Vector3<T> = E2A, e3a: Vector3<T> = E3A, e3b: Vector3<T> = E3B, m2: T = TWIST_M2 }
 }
 fields! {
@@ -25,13 +25,13 @@ fields! {
 
 /// The moment that keeps the shafts at their angle: m = m2 (cos α e2a + sin α e3a).
 ///
-/// cos α and sin α are the direction of (e3a·e3b, −e2a·e3b), without an angle in between. Where the shafts are
-/// perpendicular this is −m2 e1a × e3b.
+/// cos α and sin α are the direction of (e3a·e3b, −e2a·e3b), without computing an angle. If the shafts are perpendicular this is
+/// −m2 e1a × e3b.
 #[derive(Clone, Copy, Debug)]
 pub struct ConstraintMoment;
 
-/// cos α e2a + sin α e3a, as `shaft` × (e2a × e3a), where `shaft` is e3b by |(e3a·e3b, e2a·e3b)|: along an axis that the shaft
-/// nearly has, the two terms would cancel.
+/// cos α e2a + sin α e3a, as `shaft` × (e2a × e3a), where `shaft` is e3b divided by |(e3a·e3b, e2a·e3b)|: as a sum, the two terms
+/// would cancel along an axis nearly parallel to the shaft.
 #[inline(always)]
 fn line_of_nodes<D: Scalar>(i: &Twisted<D>, shaft: &Vector3<D>) -> Vector3<D> {
     shaft.cross(&i.e2a.cross(&i.e3a))
@@ -73,8 +73,8 @@ impl Formula for ConstraintMoment {
         let [_, _, by_e3b] = alpha_gradient(&i.e2a, &i.e3a, &i.e3b);
         let shaft = i.e3b / length;
         let line_of_nodes = line_of_nodes(i, &shaft);
-        // ∂α/∂e2a = −cos α e3b/length and ∂α/∂e3a = −sin α e3b/length, so both rows are those of I − across e3bᵀ/length.
-        // Its diagonal is a sum over the other two axes, without the 1 that would cancel.
+        // ∂α/∂e2a = −cos α e3b/length and ∂α/∂e3a = −sin α e3b/length, so both rows are those of I − across e3bᵀ/length. Its
+        // diagonal is a sum over the other two axes, without the 1, which would cancel.
         let row = |k: usize| {
             let mut held = shaft * -across[k];
             held[k] = (0..3).filter(|&j| j != k).fold(D::zero(), |sum, j| sum + across[j] * shaft[j]);
@@ -95,7 +95,7 @@ impl Formula for ConstraintMoment {
 }
 
 fields! {
-    /// A kinetic moment: on node a as it stands, on node b its opposite.
+    /// A kinetic moment on node a; its opposite acts on node b.
     pub struct FreeMoment<T> { m: Vector3<T> = KINETIC_MOMENT }
 }
 fields! {
@@ -105,7 +105,7 @@ fields! {
 
 /// The moment about the free axes: m = m1 e1a + m3 e3b.
 ///
-/// It is conjugate to (ur1, ur3) where the shafts are perpendicular, so that it acts on a, and on b its opposite.
+/// It is conjugate to (ur1, ur3) if the shafts are perpendicular, so that it acts on a and its opposite on b.
 #[derive(Clone, Copy, Debug)]
 pub struct KineticMoment;
 

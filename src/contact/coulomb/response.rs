@@ -1,4 +1,4 @@
-//! What a contact transmits after a motion: stick at a finite stiffness, the return map, and how much has slipped.
+//! The force that a contact transmits after a motion: stick at a finite stiffness, the return map, and the slip.
 
 #[cfg(feature = "verify")]
 pub(crate) mod proof;
@@ -10,11 +10,11 @@ use crate::formula::{Component, Document, Finite, Formula, Jacobian, Spec, Value
 use crate::number::scalar::Scalar;
 
 fields! {
-    /// The motion since the last state, the force in it, and what the contact is made of.
+    /// The motion since the last state, the force in that state, and the parameters of the contact.
     pub struct Sliding<T> { du: T = DU, f_before: T = F_BEFORE, k_stick: T = K_STICK, mu: T = MU, r#fn: T = FN }
 }
 fields! {
-    /// What is transmitted, and by how much the contact has slipped.
+    /// The transmitted force, and the increment of slip.
     pub struct Slid<T> { f: T = F_TANGENTIAL, slip: T = SLIP }
 }
 
@@ -53,7 +53,7 @@ impl Formula for Response {
     fn eval<D: Scalar>(i: &Sliding<D>) -> Slid<D> {
         let trial = i.trial();
         let f = ReturnMap::eval(&trial).f;
-        // From the trial force the slip would lose the force before, where the motion is large.
+        // Computed from the trial force, the slip would lose the digits of the previous force if the motion is large.
         Slid { f, slip: if trial.sticks() { D::zero() } else { i.du - (f - i.f_before) / i.k_stick } }
     }
 

@@ -16,7 +16,7 @@ use crate::number::scalar::{Scalar, norm_and_direction};
 use nalgebra::Vector2;
 
 fields! {
-    /// The force on a surface that would be transmitted if the contact stuck, and the friction parameters.
+    /// The trial force on a surface, which would be transmitted if the contact stuck, and the friction parameters.
     pub struct Trial2d<T> { f_trial: Vector2<T> = F_TRIAL_SURFACE, mu: T = MU, r#fn: T = FN }
 }
 fields! {
@@ -26,11 +26,12 @@ fields! {
 
 /// The return map on a surface: f_trial while |f_trial| < μ F_N, else cut down to μ F_N in its direction.
 ///
-/// The friction is isotropic. In slip the tangent keeps what is across the force: a trial force that turns, turns it.
+/// The friction is isotropic. In slip the tangent retains the direction normal to the force: if the trial force rotates, the
+/// friction force rotates with it.
 #[derive(Clone, Copy, Debug)]
 pub struct ReturnMap2d;
 
-/// The trial force, and whether the contact holds it.
+/// The trial force, and whether the contact sticks under it.
 struct Tried<D> {
     length: D,
     along: Vector2<D>,
@@ -38,7 +39,7 @@ struct Tried<D> {
 }
 
 impl<D: Scalar> Trial2d<D> {
-    /// A force of 0 has no direction to slip in.
+    /// A force of 0 has no direction of slip.
     #[inline(always)]
     fn tried(&self) -> Tried<D> {
         let (length, along) = norm_and_direction::<D, 2>(self.f_trial.into());
@@ -46,7 +47,7 @@ impl<D: Scalar> Trial2d<D> {
         Tried { length, along: along.into(), sticks }
     }
 
-    /// The force.
+    /// The transmitted force.
     #[inline(always)]
     fn transmitted(&self, tried: &Tried<D>) -> Vector2<D> {
         if tried.sticks { self.f_trial } else { tried.along * (self.mu * self.r#fn) }
@@ -82,7 +83,7 @@ impl Formula for ReturnMap2d {
     #[inline(always)]
     fn linearized<D: Scalar>(i: &Trial2d<D>) -> ValueAndJacobian<Self, D> {
         let (zero, one, tried @ Tried { length, along, sticks }) = (D::zero(), D::one(), i.tried());
-        // What slips is computed in any case, and chosen: a branch would be mispredicted at every other point.
+        // The slipping case is always computed and then selected: a branch would be mispredicted at every other point.
         let across = Vector2::new(-along.y, along.x);
         let turned = across * (i.mu * i.r#fn / length);
         let slipping = |k: usize| Trial2d { f_trial: turned * across[k], mu: i.r#fn * along[k], r#fn: i.mu * along[k] };

@@ -1,4 +1,4 @@
-//! Evidence for the formulas next door: cases, kinks, laws, other ways to compute them.
+//! Evidence for the formulas of the parent module: cases, kinks, laws, other methods.
 
 use super::{
     ContactPressure, Damping, DampingContact, ExponentialContact, LinearContact, PressureExponential, PressureLinear,
@@ -166,7 +166,7 @@ impl Proved for Damping {
     }
 }
 
-/// As a textbook has it: eˢ − 1 cancels where s is small.
+/// The textbook form: eˢ − 1 cancels if s is small.
 fn plain_exponential<D: Scalar>(i: &ExponentialContact<D>) -> ContactPressure<D> {
     let s = i.h / i.c0 + 1.0;
     ContactPressure { p: if s > 0.0 { i.p0 / e_minus_one::<D>() * s * (s.exp() - 1.0) } else { D::zero() } }

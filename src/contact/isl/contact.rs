@@ -11,7 +11,7 @@ use crate::formula::quantity::Domain;
 use nalgebra::Vector2;
 use std::collections::BTreeMap;
 
-/// An increment: how long it lasts, and the pressures of hard contact at its end.
+/// An increment: its duration, and the pressures of hard contact at its end.
 ///
 /// ```
 /// use jointproof::contact::isl::Increment;
@@ -27,7 +27,7 @@ pub struct Increment {
 }
 
 impl Increment {
-    /// An increment of this duration > 0 (T), by which closing rates are measured.
+    /// An increment of this duration > 0 (T), from which closing rates are computed.
     ///
     /// # Errors
     /// A `duration` that is not positive and finite.
@@ -36,7 +36,7 @@ impl Increment {
         Ok(Self { duration, pressures: BTreeMap::new() })
     }
 
-    /// Gives slave nodes the pressures ≥ 0 (F/L²) of hard contact, by node number; that of a node not named is 0.
+    /// Sets the pressures ≥ 0 (F/L²) of hard contact of slave nodes, by node number; that of a node not named is 0.
     ///
     /// # Errors
     /// [`Error::Node`]: a pressure that is negative or not finite.
@@ -57,7 +57,7 @@ impl Increment {
     }
 }
 
-/// Where the nodes are, and where they were when the increment began; at the start of the analysis they were nowhere else.
+/// The positions of the nodes, now and at the beginning of the increment; at the start of the analysis there are no earlier ones.
 struct Step<'m, D> {
     places: &'m Nodes<D>,
     before: Option<(&'m Nodes<D>, &'m Increment)>,
@@ -101,10 +101,10 @@ impl Contact {
         &self.elements
     }
 
-    /// The state where the analysis begins: at rest, without slip, shear stress or pressure of hard contact.
+    /// The state at the beginning of the analysis: at rest, without slip, shear stress or pressure of hard contact.
     ///
     /// # Errors
-    /// What can be wrong with the places of the nodes: [`Error::UnknownNode`], [`Error::CoincidentNodes`], and the errors of
+    /// Invalid positions of the nodes: [`Error::UnknownNode`], [`Error::CoincidentNodes`], and the errors of
     /// [`PlacedLine::closest`](crate::contact::slide_line::PlacedLine::closest); [`Error::Overflow`].
     pub fn start<D: Scalar>(&self, places: Nodes<D>) -> Result<ContactState<D>, Error> {
         let at_rest = |_| Ok((SlaveState::at_rest(), 0.0));
@@ -112,16 +112,16 @@ impl Contact {
         Ok(ContactState { places, slaves })
     }
 
-    /// The state at the end of an increment that began in the state `before`; the nodes are now at `places`.
+    /// The state at the end of an increment that begins in the state `before`; the nodes are now at `places`.
     ///
-    /// A solver that tries several places for the end of one increment calls this with the same `before` each time.
-    /// Slip is the way of the closest point along the line where the increment ends
-    /// ([`PlacedLine::slip`](crate::contact::slide_line::PlacedLine::slip)), so that it does not depend on how far the increments go; the
-    /// closing rate comes from the displacements of the nodes, at the closest point there. At a slave node past an end of the
-    /// line nothing is transmitted.
+    /// A solver that tries several positions for the end of one increment calls this with the same `before` each time. Slip is
+    /// the distance that the closest point travels along the line, measured in the configuration at the end of the increment
+    /// ([`PlacedLine::slip`](crate::contact::slide_line::PlacedLine::slip)), so that it does not depend on the size of the
+    /// increments; the closing rate follows from the displacements of the nodes, at the closest point there. A slave node past an
+    /// end of the line transmits nothing.
     ///
     /// # Errors
-    /// As [`Self::start`]; [`Error::Node`] where the increment names a pressure for a node that is not a slave.
+    /// As [`Self::start`]; [`Error::Node`] if the increment names a pressure for a node that is not a slave.
     pub fn advance<D: Scalar>(
         &self,
         before: &ContactState<D>,
@@ -137,7 +137,7 @@ impl Contact {
         Ok(ContactState { places, slaves })
     }
 
-    /// The slave nodes at the end of a step, given what each was before and its pressure of hard contact.
+    /// The slave nodes at the end of a step, given their previous states and their pressures of hard contact.
     fn slaves<D: Scalar>(
         &self,
         step: &Step<'_, D>,
@@ -167,8 +167,8 @@ impl Contact {
         Ok(areas)
     }
 
-    /// The greatest torque about the z axis that the line transmits, as if the friction coefficient were 1: the sum over
-    /// the elements, from the pressures at their nodes. Where damping pulls, the pressure counts as 0.
+    /// The greatest torque about the z axis that the line transmits, as if the friction coefficient were 1: the sum over the
+    /// elements, from the pressures at their nodes. If damping makes a pressure negative, it counts as 0.
     ///
     /// # Errors
     /// [`Error::UnknownNode`] in a state of another contact; [`Error::Overflow`].

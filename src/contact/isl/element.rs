@@ -63,8 +63,8 @@ impl IslElement {
         }
     }
 
-    /// The contact area of each of its nodes in its current place, around the whole circumference
-    /// ([`ContactAreaLinear`], [`ContactAreaParabolic`]).
+    /// The contact area of each of its nodes at its current position, around the whole circumference ([`ContactAreaLinear`],
+    /// [`ContactAreaParabolic`]).
     ///
     /// ```
     /// use jointproof::contact::{isl::IslElement, slide_line::Nodes};
@@ -80,7 +80,7 @@ impl IslElement {
         self.areas_by(|node| nodes.position(node))
     }
 
-    /// The same, with the nodes wherever the caller keeps them.
+    /// The same, with positions provided by the caller.
     pub(super) fn areas_by<D: Scalar>(
         &self,
         position: impl Fn(u32) -> Result<Vector2<D>, Error>,
@@ -101,17 +101,17 @@ impl IslElement {
         if finite { Ok(areas) } else { Err(Error::Overflow { name: "area" }) }
     }
 
-    /// The greatest torque about the z axis that it transmits, from the pressures at its nodes
-    /// ([`TorqueLinear`], [`TorqueParabolic`]).
+    /// The greatest torque about the z axis that the element transmits, from the pressures at its nodes ([`TorqueLinear`],
+    /// [`TorqueParabolic`]).
     ///
     /// # Errors
-    /// As [`Self::areas`], or whatever `pressure` of a node answers with.
+    /// As [`Self::areas`], or any error returned by `pressure`.
     pub fn torque<D: Scalar>(&self, nodes: &Nodes<D>, pressure: impl Fn(u32) -> Result<D, Error>) -> Result<D, Error> {
         self.torque_by(|node| nodes.position(node), |k| pressure(self.nodes()[k]))
     }
 
-    /// The same, with nodes and pressures wherever the caller keeps them: a node by its number, a pressure by the place of
-    /// its node among those of the element.
+    /// The same, with positions and pressures provided by the caller: positions by node number, pressures by the index of the
+    /// node in the element.
     pub(super) fn torque_by<D: Scalar>(
         &self,
         position: impl Fn(u32) -> Result<Vector2<D>, Error>,
@@ -147,7 +147,7 @@ impl IslElement {
     }
 }
 
-/// Where nodes are that must be at different places.
+/// The positions of nodes that must be distinct.
 fn places<D: Scalar, const N: usize>(
     nodes: [u32; N],
     position: impl Fn(u32) -> Result<Vector2<D>, Error>,
@@ -161,7 +161,7 @@ fn places<D: Scalar, const N: usize>(
     }
 }
 
-/// What each of these has, or the first error.
+/// The value for each of these keys, or the first error.
 fn of_each<K, T: Copy, const N: usize>(these: [K; N], of: impl Fn(K) -> Result<T, Error>) -> Result<[T; N], Error> {
     let all = these.into_iter().map(of).collect::<Result<ArrayVec<T, N>, _>>()?;
     Ok(all.into_inner().unwrap_or_else(|_| unreachable!("each has one")))

@@ -1,9 +1,9 @@
-//! The one engine of contact along a slide line: E11, E12, S11 and S12 of a slave node over an increment, and the torque
-//! of an element. It evaluates what is wanted and nothing else, counts what it evaluates, and says of what goes wrong
-//! where it was and in which formula.
+//! The engine of contact along a slide line: E11, E12, S11 and S12 of a slave node over an increment, and the torque of an
+//! element. It evaluates only what is requested, counts its evaluations, and reports for every error where it occurred and in
+//! which formula.
 //!
-//! [`Contact`](super::Contact) asks it for everything and keeps every state; a scene asks for what its outputs need and
-//! keeps the last state in place.
+//! [`Contact`](super::Contact) requests everything and keeps every state; a scene requests what its outputs need and updates the
+//! last state in place.
 
 use super::element::IslElement;
 use super::interaction::Interaction;
@@ -13,31 +13,31 @@ use crate::formula::error::Error;
 use arrayvec::ArrayVec;
 use nalgebra::Vector2;
 
-/// Where nodes are, by number, and how an increment moved them.
+/// The positions of nodes, by number, and their displacements in an increment.
 pub(crate) trait Motion<D> {
-    /// Where a node is at the end of the increment.
+    /// The position of a node at the end of the increment.
     fn position(&self, node: u32) -> Result<Vector2<D>, Error>;
-    /// How far it has moved in the increment.
+    /// The displacement of a node in the increment.
     fn displacement(&self, node: u32) -> Result<Vector2<D>, Error>;
-    /// How long the increment lasts; unknown for a state that nothing leads to, where nothing closes.
+    /// The duration of the increment; `None` for a state without an increment, in which all closing rates are 0.
     fn duration(&self) -> Option<f64>;
 }
 
-/// A slide line, and what acts between it and the slave.
+/// A slide line, and the interaction between it and the slave.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Surface {
     pub(crate) line: SlideLine,
     pub(crate) interaction: Interaction,
 }
 
-/// A slave node, and what is wanted of it beside E11, which is always known.
+/// A slave node, and the quantities requested in addition to E11, which is always computed.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Slave {
     pub(crate) node: u32,
     pub(crate) wanted: Wanted,
 }
 
-/// What is wanted of a slave node beside E11.
+/// The quantities requested of a slave node in addition to E11.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Wanted {
     pub(crate) e12: bool,
@@ -49,13 +49,13 @@ impl Wanted {
     /// Everything.
     pub(crate) const ALL: Self = Self { e12: true, s11: true, s12: true };
 
-    /// This and more.
+    /// The union of both requests.
     pub(crate) fn and(self, more: Self) -> Self {
         Self { e12: self.e12 | more.e12, s11: self.s11 | more.s11, s12: self.s12 | more.s12 }
     }
 }
 
-/// What is evaluated at a slave node, in this order.
+/// The stages of evaluation at a slave node, in this order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(crate) enum Stage {
     /// The closest point of the line.
@@ -67,30 +67,30 @@ pub(crate) enum Stage {
     Friction,
 }
 
-/// The state of a slave node. What is not wanted stays 0.
+/// The state of a slave node. Quantities that are not requested remain 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct SlaveState<D> {
     pub(crate) e11: D,
     pub(crate) e12: D,
     pub(crate) s11: D,
     pub(crate) s12: D,
-    /// The place on the line from which slip goes on; none before the analysis.
+    /// The position on the line from which slip continues; none before the analysis.
     pub(crate) foot: Option<Foot<D>>,
 }
 
 impl<D: Scalar> SlaveState<D> {
-    /// Before the analysis.
+    /// The state before the analysis.
     pub(crate) fn at_rest() -> Self {
         Self { e11: D::zero(), e12: D::zero(), s11: D::zero(), s12: D::zero(), foot: None }
     }
 
-    /// The pressure as far as it pushes: what pulls transmits no friction.
+    /// The pressure if it is positive, else 0: a pull transmits no friction.
     pub(crate) fn push(&self) -> D {
         if self.s11 > 0.0 { self.s11 } else { D::zero() }
     }
 }
 
-/// How often each formula was evaluated; of a search, how many segments and corners were looked at.
+/// The number of evaluations of each formula; for a search, the number of segments and corners examined.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Tally(ArrayVec<(&'static str, usize), 12>);
 
@@ -111,7 +111,7 @@ impl Tally {
     }
 }
 
-/// Where something went wrong.
+/// The location of an error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Culprit {
     /// On the line as a whole.
@@ -122,7 +122,7 @@ pub(crate) enum Culprit {
     Element(u32),
 }
 
-/// What went wrong, where, and in which formula.
+/// An error, with its location and its formula.
 #[derive(Clone, Debug)]
 pub(crate) struct Failure {
     pub(crate) culprit: Culprit,
@@ -142,7 +142,7 @@ impl Surface {
         }
     }
 
-    /// Whether a stage must be evaluated for what is wanted.
+    /// Whether a stage must be evaluated for this request.
     fn needs(&self, stage: Stage, wanted: Wanted) -> bool {
         let shear = wanted.s12 && self.interaction.friction_formula().is_some();
         match stage {
@@ -161,7 +161,7 @@ impl Surface {
         needed.filter_map(|stage| Some((stage, self.formula(stage)?)))
     }
 
-    /// The line where its nodes are now.
+    /// The line at the current positions of its nodes.
     pub(crate) fn place<D: Scalar>(&self, motion: &impl Motion<D>) -> Result<PlacedSurface<'_, D>, Failure> {
         let placed = self.line.place_by(|node| motion.position(node));
         let formula = self.line.closest_formula();
@@ -172,7 +172,7 @@ impl Surface {
     }
 }
 
-/// A surface where its nodes are now.
+/// A surface at the current positions of its nodes.
 pub(crate) struct PlacedSurface<'s, D> {
     surface: &'s Surface,
     line: PlacedLine<D>,
@@ -181,8 +181,9 @@ pub(crate) struct PlacedSurface<'s, D> {
 impl<D: Scalar> PlacedSurface<'_, D> {
     /// The state of a slave node at the end of an increment; `multiplier` is its pressure of hard contact.
     ///
-    /// Slip is the way of the closest point along the line where the increment ends; the closing rate comes from the
-    /// displacements of the nodes, at the closest point there. Past an end of the line nothing is transmitted.
+    /// Slip is the distance that the closest point travels along the line, measured in the configuration at the end of the
+    /// increment; the closing rate follows from the displacements of the nodes, at the closest point there. Past an end of the
+    /// line nothing is transmitted.
     pub(crate) fn advance(
         &self,
         state: &mut SlaveState<D>,
@@ -234,7 +235,7 @@ impl<D: Scalar> PlacedSurface<'_, D> {
 }
 
 impl<D: Scalar> PlacedSurface<'_, D> {
-    /// Where a slave node was on the line that has no place there yet: the motion relative to the line is taken back.
+    /// The previous position on the line of a slave node that has none yet: the motion relative to the line is undone.
     fn first_foot(
         &self,
         xs: Vector2<D>,
@@ -253,7 +254,7 @@ impl<D: Scalar> PlacedSurface<'_, D> {
     }
 }
 
-/// How far the slave node has moved, and each node that carries its closest point.
+/// The displacements of the slave node, and of each node that carries its closest point.
 type Displacements<D> = (Vector2<D>, ArrayVec<Vector2<D>, 5>);
 
 fn displacements<D: Scalar>(
@@ -265,7 +266,7 @@ fn displacements<D: Scalar>(
     Ok((motion.displacement(node)?, masters.collect::<Result<_, _>>()?))
 }
 
-/// The pressure of the law and of damping, or the formula that made it too large.
+/// The pressure of the law and of damping, or the formula that made it overflow.
 fn pressure<D: Scalar>(
     interaction: &Interaction,
     h: D,
@@ -289,7 +290,7 @@ fn finite<D: Scalar>(name: &'static str, value: D) -> Result<D, Error> {
     if value.re().is_finite() { Ok(value) } else { Err(Error::Overflow { name }) }
 }
 
-/// The greatest torque that an element transmits, from the pressures that push on its nodes, counted from 0.
+/// The greatest torque that an element transmits, from the positive pressures at its nodes, counted from 0.
 pub(crate) fn torque<D: Scalar>(
     element: &IslElement,
     motion: &impl Motion<D>,
@@ -314,7 +315,7 @@ pub(crate) fn areas<D: Scalar>(
     element.areas_by(|node| motion.position(node)).map_err(fail)
 }
 
-/// The sum of the torques of elements so far and of one more.
+/// Adds the torque of an element to the sum so far.
 pub(crate) fn total_torque<D: Scalar>(sum: D, element: &IslElement, torque: D) -> Result<D, Failure> {
     let fail = |error| Failure { culprit: Culprit::Line, formula: element.torque_formula(), error };
     finite("torque", sum + torque).map_err(fail)

@@ -1,4 +1,4 @@
-//! What acts between slave and master: pressure, damping and friction.
+//! The interaction between slave and master: pressure, damping and friction.
 
 use crate::Scalar;
 use crate::contact::coulomb::{Response, Sliding};
@@ -11,12 +11,12 @@ use crate::formula::quantity::{
     CLEARANCE, DAMPING_FRACTION, Domain, K_STICK, MU, MU0, PRESSURE_AT_TOUCH, Quantity, STIFFNESS,
 };
 
-/// How the pressure depends on the overclosure h = −E11.
+/// The dependence of the pressure on the overclosure h = −E11.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Pressure {
-    /// The pressure is a multiplier, found by the solver; it acts only where the contact is closed.
+    /// The pressure is a multiplier, determined by the solver; it acts only if the contact is closed.
     Hard {
-        /// The separation up to which a node counts as closed, ≥ 0: a solver keeps E11 = 0 only so well.
+        /// The separation up to which a node counts as closed, ≥ 0, since a solver satisfies E11 = 0 only to a tolerance.
         tolerance: f64,
     },
     /// p = k h ([`PressureLinear`]).
@@ -24,7 +24,7 @@ pub enum Pressure {
         /// Pressure per overclosure.
         k: f64,
     },
-    /// p0 at h = 0, and 0 from the clearance c0 on ([`PressureExponential`]).
+    /// p0 at h = 0, and 0 beyond the clearance c0 ([`PressureExponential`]).
     Exponential {
         /// The clearance at which contact begins.
         c0: f64,
@@ -86,7 +86,7 @@ impl Interaction {
         Ok(Self::with(Pressure::Hard { tolerance }))
     }
 
-    /// Pressure in proportion to the overclosure, `k` > 0 (F/L³).
+    /// Pressure proportional to the overclosure, `k` > 0 (F/L³).
     ///
     /// # Errors
     /// A `k` that is not positive and finite.
@@ -132,9 +132,10 @@ impl Interaction {
         self.pressure
     }
 
-    /// The pressure S11 at the overclosure `h` and the closing rate `v`: the law's and that of damping, which can pull.
+    /// The pressure S11 at the overclosure `h` and the closing rate `v`: that of the law plus that of damping, which can be
+    /// negative.
     ///
-    /// `multiplier` is the pressure of hard contact, not used otherwise.
+    /// `multiplier` is the pressure of hard contact; it is ignored otherwise.
     pub fn pressure<D: Scalar>(&self, h: D, v: D, multiplier: D) -> D {
         let p = self.law(h, multiplier);
         match self.damping(h, v) {
@@ -183,9 +184,9 @@ impl Interaction {
         self.friction.map(|_| Response::SPEC.id)
     }
 
-    /// The shear stress S12 under the pressure `p` after the slip increment `slip`, from the shear stress `s12` before.
+    /// The shear stress S12 under the pressure `p` after the slip increment `slip`, from the previous shear stress `s12`.
     ///
-    /// It is that of [`Response`]; nothing is transmitted where the pressure does not push.
+    /// It is that of [`Response`]; nothing is transmitted unless the pressure is positive.
     pub fn shear<D: Scalar>(&self, s12: D, slip: D, p: D) -> D {
         let Some(Frictional { mu, k_stick }) = self.friction.filter(|_| p > 0.0) else {
             return D::zero();

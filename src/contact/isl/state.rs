@@ -1,4 +1,4 @@
-//! What a contact is in at the end of an increment.
+//! The state of a contact at the end of an increment.
 
 use super::engine::SlaveState;
 use crate::Scalar;
@@ -25,7 +25,7 @@ pub struct SlaveNode<D = f64> {
 }
 
 impl<D: Scalar> SlaveNode<D> {
-    /// What the engine goes on from.
+    /// The part of the state from which the engine continues.
     pub(super) fn engine_state(&self) -> SlaveState<D> {
         SlaveState { e11: self.e11, e12: self.e12, s11: self.s11, s12: self.s12, foot: Some(self.closest.foot) }
     }
@@ -35,14 +35,14 @@ impl<D: Scalar> SlaveNode<D> {
         (self.closest.normal * self.s11 - self.closest.tangent * self.s12) * self.area
     }
 
-    /// The forces on the master nodes that balance it, by node number: −Nᵢ times the force on the slave node.
+    /// The balancing forces on the master nodes, by node number: −Nᵢ times the force on the slave node.
     pub fn reactions(&self) -> impl Iterator<Item = (u32, Vector2<D>)> {
         let force = self.force();
         self.closest.weights.iter().map(move |&(node, weight)| (node, -force * weight))
     }
 }
 
-/// The state of a contact, made by [`Contact::start`](super::Contact::start) and
+/// The state of a contact, created by [`Contact::start`](super::Contact::start) and
 /// [`Contact::advance`](super::Contact::advance).
 #[derive(Clone, Debug, PartialEq)]
 pub struct ContactState<D = f64> {
@@ -64,7 +64,7 @@ impl<D: Scalar> ContactState<D> {
         self.slaves.get(&node).ok_or(Error::UnknownNode { node })
     }
 
-    /// Where the nodes are.
+    /// The positions of the nodes.
     pub fn places(&self) -> &Nodes<D> {
         &self.places
     }

@@ -18,9 +18,9 @@ pub struct TorqueRow {
     pub torque: f64,
 }
 
-/// The torque table: a row per slide line, every so many increments.
+/// The torque table: a row per slide line, at every n-th increment.
 ///
-/// Printed with `{}` it is a plain-text table; the rows are data to serialise as any other.
+/// Printed with `{}` it is a plain-text table; the rows can be serialised like any other data.
 ///
 /// ```
 /// use jointproof::contact::isl::TorquePrint;
@@ -58,19 +58,19 @@ impl TorquePrint {
         Self { frequency, rows: Vec::new() }
     }
 
-    /// Whether it prints at this increment, counted from 1, the last of a step or not. At the last one it always does,
-    /// unless its frequency is 0.
+    /// Whether the table prints at this increment, counted from 1, which may be the last of a step. At the last one it always
+    /// does, unless its frequency is 0.
     pub fn is_due(&self, increment: u32, is_last: bool) -> bool {
         self.frequency > 0 && (is_last || increment.is_multiple_of(self.frequency))
     }
 
-    /// Adds the row of a slide line. Whether the increment is due is for the caller to ask, so that no torque is computed
-    /// that is not printed.
+    /// Adds the row of a slide line. The caller must check whether the increment is due, so that no torque is computed that is
+    /// not printed.
     pub fn record(&mut self, increment: u32, slide_line: impl Into<String>, torque: f64) {
         self.rows.push(TorqueRow { increment, slide_line: slide_line.into(), torque });
     }
 
-    /// Adds a row for every contact if it is due, and says whether it was.
+    /// Adds a row for every contact if the increment is due, and returns whether it was.
     ///
     /// # Errors
     /// As [`Contact::torque`].

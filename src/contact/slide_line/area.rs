@@ -78,7 +78,7 @@ fields! {
 #[derive(Clone, Copy, Debug)]
 pub struct ContactAreaParabolic;
 
-/// The lengths whose products with π rᵢ/3 are the areas, and their directions: of 6X′(−1)/3, 4·2X′(0), 6X′(1)/3.
+/// The lengths whose products with π rᵢ/3 are the areas, and their directions: those of 6X′(−1)/3, 4·2X′(0), 6X′(1)/3.
 #[inline]
 fn lengths<D: Scalar>(i: &ParabolicNodes<D>) -> [(D, Vector2<D>); 3] {
     let (before, after) = (i.x2 - i.x1, i.x3 - i.x2);
@@ -87,7 +87,7 @@ fn lengths<D: Scalar>(i: &ParabolicNodes<D>) -> [(D, Vector2<D>); 3] {
 }
 
 impl ContactAreaParabolic {
-    /// With these lengths.
+    /// The areas from these lengths.
     #[inline]
     fn of<D: Scalar>(i: &ParabolicNodes<D>, [first, middle, last]: [D; 3]) -> ThreeAreas<D> {
         let third = pi::<D>() / 3.0;

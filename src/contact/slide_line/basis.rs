@@ -36,7 +36,7 @@ impl Formula for LocalBasis {
         ),
     )
         .equation(r"\mathbf{t} = \frac{\mathbf{X}'}{\lvert\mathbf{X}'\rvert},\quad \mathbf{n} = \mathbf{s}\times\mathbf{t} = (-t_2, t_1)")
-        // Squares, a sum and a root are two roundings, and the quotient is one more.
+        // The squares, their sum and the root have two rounding errors, and the quotient has one more.
         .eta(3.0, 4.0)
         .scale(1e250)
         .finite(Finite::Between);
@@ -49,7 +49,7 @@ impl Formula for LocalBasis {
         Basis { t, n: left(t) }
     }
 
-    /// δt = n (n·δdx)/|dx| and δn = −t (n·δdx)/|dx|: a change of dx along t does nothing.
+    /// δt = n (n·δdx)/|dx| and δn = −t (n·δdx)/|dx|: a change of dx along t has no effect.
     #[inline]
     fn jacobian<D: Scalar>(i: &Direction<D>) -> Jacobian<Self, D> {
         Self::linearized(i).1

@@ -1,7 +1,7 @@
 //! Points of a slide line: smoothed corners, which replace the kinks between segments.
 //!
-//! A fraction f of each segment next to the corner is cut off and replaced by a curve that is tangent to both. The
-//! source names smoothing and sends the reader elsewhere for its details; these curves are ours.
+//! A fraction f of each segment next to the corner is cut off and replaced by a curve that is tangent to both. The source
+//! mentions smoothing and refers elsewhere for its details; these curves are ours.
 
 #![expect(clippy::inline_always, reason = "what is not inlined is not compiled for vectors")]
 
@@ -26,7 +26,7 @@ const SOURCE: Source =
     Document::SLIDE_LINE.ours("Smoothing the slide line", "the section on smoothing that it refers to was not given");
 
 fields! {
-    /// A smoothed corner between two straight segments, and a place on it.
+    /// A smoothed corner between two straight segments, and a point on it.
     pub struct LinearCornerPlace<T> {
         x1: Vector2<T> = X1, x2: Vector2<T> = X2, x3: Vector2<T> = X3, f: T = FRACTION, t: T = CORNER_T,
     }
@@ -35,8 +35,8 @@ fields! {
 impl<D: Scalar> LinearCornerPlace<D> {
     /// X′/f = 2t (x3−x2) − 2s (x1−x2) = 2 min(s,t) (x3−x1) + 2 |t−s| times the nearer side.
     ///
-    /// It is computed in the last form: near t = ½ node x2 hardly matters, and the roundings of the sides, which have it, would. A
-    /// comparison that only chooses factors costs no branch.
+    /// The last form is evaluated: near t = ½ node x2 hardly matters, but the rounding errors of the sides, which contain it,
+    /// would. The comparison only selects factors, without a branch.
     #[inline]
     fn rate(&self) -> Vector2<D> {
         let (s, t) = (-self.t + 1.0, self.t);
@@ -93,7 +93,7 @@ impl Formula for SmoothedLinearPoint {
 }
 
 fields! {
-    /// A smoothed corner between two parabolic segments, and a place on it.
+    /// A smoothed corner between two parabolic segments, and a point on it.
     pub struct ParabolicCornerPlace<T> {
         x1: Vector2<T> = X1, x2: Vector2<T> = X2, x3: Vector2<T> = X3, x4: Vector2<T> = X4, x5: Vector2<T> = X5,
         f: T = FRACTION, t: T = CORNER_T,
@@ -102,8 +102,8 @@ fields! {
 
 /// Point of the smoothed corner x3 between the parabolas (x1, x2, x3) and (x3, x4, x5).
 ///
-/// The cubic of Bézier from A = X12(1−2f) to B = X34(−1+2f) with the inner control points A + (4f/3) A′ and
-/// B − (4f/3) B′, collected by nodes.
+/// The cubic Bézier curve from A = X12(1−2f) to B = X34(−1+2f) with the inner control points A + (4f/3) A′ and B − (4f/3) B′,
+/// collected by nodes.
 #[derive(Clone, Copy, Debug)]
 pub struct SmoothedParabolicPoint;
 
@@ -140,7 +140,7 @@ impl Formula for SmoothedParabolicPoint {
         let second = weighted(&seen, ParabolicCorner::second_derivatives(f, i.t)) * f;
         let [weights_by_f, ..] = ParabolicCorner::by_fraction(f, i.t);
         let x_by_f = weighted(&seen, weights_by_f);
-        // The rates are linear in f: f times them has the derivative that they have at 2f.
+        // The rates are linear in f: the derivative of f times the rates equals the rates at 2f.
         let rate_by_f = weighted(&seen, ParabolicCorner::rates(f * 2.0, i.t));
         let row = |k, [n1, n2, n3, n4, n5]: [D; 5], f, t| ParabolicCornerPlace {
             x1: along(k, n1),

@@ -3,17 +3,18 @@
 //! | | |
 //! |---|---|
 //! | unknowns | the translations of the slave point and of the nodes of the segment, in the plane (r, z) |
-//! | place | the closest point of the segment, g, which [`closest_*`](crate::contact::slide_line) finds |
+//! | position | the closest point of the segment, g, which [`closest_*`](crate::contact::slide_line) finds |
 //! | rows | of the separation E11: n and −Nᵢ n; of the slip: t and −Nᵢ t |
 //! | zero position | E11 = 0: the slave point on the segment |
-//! | signs | as of [`isl`](crate::contact::isl): S11 pushes the slave point along n, S12 along −t, which is against positive slip |
+//! | signs | those of [`isl`](crate::contact::isl): S11 pushes the slave point along n, S12 along −t, which is against positive slip |
 //!
-//! The separation has no first derivative by g: at the closest point it is stationary. So its row is exact, although g is held. The
-//! row of the slip is the velocity relative to the material at the place g, which is held, too. It is not the derivative
-//! of the way of the closest point along the line, which ends at g but begins elsewhere; a consistent tangent needs both.
+//! At the closest point the separation is stationary with respect to g, so its row is exact although g is held constant. The row
+//! of the slip is the velocity relative to the material at the point g, which is held constant, too. It is not the derivative of
+//! the distance that the closest point travels along the line, which ends at g but begins elsewhere; a consistent tangent needs
+//! both.
 //!
-//! Forces are those of the whole circumference. Those on the slave point and on the segment add up to nothing, along the axis
-//! and along the radius: the nodes of a segment are rings, and what a ring takes up in its hoop is not the contact's.
+//! Forces are those of the whole circumference. Those on the slave point and on the segment add up to zero, both axially and
+//! radially: the nodes of a segment are rings, and the hoop forces in a ring are not part of the contact.
 
 #![expect(clippy::inline_always, reason = "a call would write the results to memory, and wait for them there")]
 
@@ -27,14 +28,14 @@ use crate::contact::slide_line::{Sides, length_and_tangent, shape};
 use crate::number::scalar::Scalar;
 use nalgebra::Vector2;
 
-/// A place on a segment of N nodes.
+/// A point on a segment of N nodes.
 #[derive(Clone, Copy, Debug)]
 struct Spot<D, const N: usize> {
     t: Vector2<D>,
     n: Vector2<D>,
     /// Nᵢ.
     weights: [D; N],
-    /// Nᵢ′/|X′|: by the length of the line.
+    /// Nᵢ′/|X′|: the derivatives with respect to the length of the line.
     rates: [D; N],
     /// The curvature n·X″/|X′|².
     curvature: D,

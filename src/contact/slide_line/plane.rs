@@ -1,11 +1,11 @@
-//! Vectors in the plane (r, z), and what is asked of points there.
+//! Vectors in the plane (r, z), and checks of points there.
 
 use crate::formula::error::Error;
 use crate::formula::quantity::Domain;
 use crate::number::scalar::{Scalar, norm};
 use nalgebra::Vector2;
 
-/// The vector turned left by 90°: the normal of a tangent.
+/// The vector rotated by 90° to the left: the normal of a tangent.
 #[inline]
 pub(crate) fn left<D: Scalar>(v: Vector2<D>) -> Vector2<D> {
     Vector2::new(-v.y, v.x)
@@ -17,7 +17,7 @@ pub(crate) fn length<D: Scalar>(v: Vector2<D>) -> D {
     norm([v.x, v.y])
 }
 
-/// Checks that the named points are all at different places.
+/// Checks that the named points are all distinct.
 #[inline]
 pub(crate) fn check_distinct<D: Scalar, const N: usize>(points: [(&'static str, Vector2<D>); N]) -> Result<(), Error> {
     for (k, &a) in points.iter().enumerate() {

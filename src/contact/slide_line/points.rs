@@ -18,7 +18,7 @@ fields! {
 }
 
 fields! {
-    /// A straight segment, and a place on it.
+    /// A straight segment, and a point on it.
     pub struct LinearPlace<T> { x1: Vector2<T> = X1, x2: Vector2<T> = X2, g: T = SEGMENT_G }
 }
 
@@ -60,7 +60,7 @@ impl Formula for LinearPoint {
 }
 
 fields! {
-    /// A parabolic segment, and a place on it.
+    /// A parabolic segment, and a point on it.
     pub struct ParabolicPlace<T> { x1: Vector2<T> = X1, x2: Vector2<T> = X2, x3: Vector2<T> = X3, g: T = SEGMENT_G }
 }
 
@@ -107,7 +107,7 @@ impl Formula for ParabolicPoint {
     }
 }
 
-/// Checks that a parabolic segment has a tangent at a place, and no two nodes at one.
+/// Checks that a parabolic segment has a tangent at a point, and that its nodes are distinct.
 #[inline]
 pub(crate) fn check_tangent<D: Scalar>(nodes: [Vector2<D>; 3], g: D) -> Result<(), Error> {
     let [x1, x2, x3] = nodes;

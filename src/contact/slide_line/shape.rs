@@ -1,8 +1,8 @@
-//! The curves of a slide line, by what every node weighs in their points.
+//! The curves of a slide line, defined by the weights of the nodes in their points.
 //!
 //! A point is X(u) = Σ Nᵢ(u) xᵢ with weights that add up to 1; their derivatives add up to 0. Points and derivatives are
-//! evaluated from differences of nodes, taken from the node that weighs most: then a common offset of all nodes costs
-//! no digits, and the rounding of no node counts for much more than its weight.
+//! evaluated from differences of nodes, relative to the node with the largest weight: then a common offset of all nodes costs no
+//! digits, and the rounding error of no node counts for much more than its weight.
 
 use super::basis::length_and_tangent;
 use crate::Scalar;
@@ -11,12 +11,12 @@ use nalgebra::Vector2;
 
 /// A curve through N nodes, with a parameter f (the smoothing fraction; unused by segments).
 ///
-/// At a smoothed corner all derivatives carry f as a factor. It is left out of them here, and told by `factor`.
+/// At a smoothed corner all derivatives contain f as a factor. It is omitted from them here, and returned by `factor`.
 pub(super) trait Shape<const N: usize> {
     /// The coordinates of the ends.
     const ENDS: [f64; 2];
-    /// Whether the tangent at an end turns with f. Where it does not, nor does the separation from one of its points change with f,
-    /// not even in rounding; where it does, that of the end is more accurate.
+    /// Whether the tangent at an end rotates with f. If it does not, the separation from one of its points does not change with f
+    /// either, not even by rounding; if it does, the separation from the end is more accurate.
     const ENDS_TURN: bool = false;
 
     /// N(u).
@@ -33,19 +33,19 @@ pub(super) trait Shape<const N: usize> {
         [D::zero(); N]
     }
 
-    /// What the derivatives are multiplied by.
+    /// The factor omitted from the derivatives.
     fn factor<D: Scalar>(_: D) -> D {
         D::one()
     }
 
     /// The weights of the point closest to xs on the tangent at an end.
     ///
-    /// Each is summed from differences to xs: as the weights of the end and a step along the tangent they would be
-    /// differences, and the smaller ones wrong.
+    /// Each is a sum of differences from xs: computed as the weights of the end plus a step along the tangent they would be
+    /// differences, and the smaller ones inaccurate.
     fn on_end_tangent<D: Scalar>(xs: Vector2<D>, nodes: &[Vector2<D>; N], f: D, u: D) -> [D; N];
 }
 
-/// The differences of the nodes of a parabola, of which its derivatives are made.
+/// The differences of the nodes of a parabola, from which its derivatives are formed.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sides<D> {
     /// x2 − x1.
@@ -64,8 +64,8 @@ impl<D: Scalar> Sides<D> {
 
     /// X′ = ½ chord + g (after − before) = (½−g) before + (½+g) after.
     ///
-    /// The first form near the midside node, the second elsewhere: then no node has a weight much above its own, and
-    /// its rounding does no harm where it hardly matters.
+    /// The first form is used near the midside node, the second elsewhere: then no node enters with much more than its own
+    /// weight, and its rounding error is harmless where it hardly matters.
     #[inline]
     pub(crate) fn rate(&self, g: D) -> Vector2<D> {
         let rate = || {
@@ -84,7 +84,7 @@ impl<D: Scalar> Sides<D> {
         self.after - self.before
     }
 
-    /// n·X″ = before × after / |X′|, with the chord in place of a longer side behind the midside node.
+    /// n·X″ = before × after / |X′|, with the chord in place of the side after the midside node if that is longer.
     #[inline]
     pub(crate) fn turn(&self, speed: D) -> D {
         let size = |v: Vector2<D>| abs(v.x) + abs(v.y);
@@ -169,7 +169,7 @@ impl Shape<3> for LinearCorner {
     fn second_derivatives<D: Scalar>(_: D, _: D) -> [D; 3] {
         [2.0, -4.0, 2.0].map(D::from)
     }
-    /// The tangents are the straight segments, whatever f.
+    /// The tangents are the straight segments, for every f.
     fn on_end_tangent<D: Scalar>(xs: Vector2<D>, [x1, x2, x3]: &[Vector2<D>; 3], _: D, t: D) -> [D; 3] {
         let zero = D::zero();
         let weights = |far: &Vector2<D>| {
@@ -190,10 +190,10 @@ impl Shape<3> for LinearCorner {
     }
 }
 
-/// The smoothed corner x3 between parabolas, with 0 ≤ t ≤ 1 and s = 1 − t: the cubic of Bézier, collected by nodes.
+/// The smoothed corner x3 between parabolas, with 0 ≤ t ≤ 1 and s = 1 − t: the cubic Bézier curve, collected by nodes.
 ///
-/// The nodes on either side have the same functions, of s before the corner and of t behind it. For 0 < f < ½ none of the
-/// weights is a difference of nearly equal terms.
+/// The nodes on either side have the same functions, of s before the corner and of t after it. For 0 < f < ½ none of the weights
+/// is a difference of nearly equal terms.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ParabolicCorner;
 
@@ -278,13 +278,13 @@ impl Shape<5> for ParabolicCorner {
     }
 }
 
-/// Far node and midside node before the corner, then those behind it.
+/// Far node and midside node before the corner, then those after it.
 #[inline]
 fn both_sides<D: Scalar>(s: D, t: D, side: impl Fn(D, D) -> [D; 2]) -> [[D; 2]; 2] {
     [side(s, t), side(t, s)]
 }
 
-/// Behind the corner the coordinate runs the other way.
+/// After the corner the coordinate runs in the opposite direction.
 #[inline]
 fn against<D: Scalar>([before, after]: [[D; 2]; 2]) -> [[D; 2]; 2] {
     [before, after.map(|n| -n)]
@@ -301,7 +301,7 @@ pub(super) fn combination<D: Scalar, const N: usize>(nodes: &[Vector2<D>; N], we
     weighted(&from_heaviest(nodes, weights), weights)
 }
 
-/// The nodes from that of the largest weight, whatever its sign.
+/// The nodes relative to that with the weight of largest magnitude.
 #[inline(always)]
 #[expect(clippy::inline_always, reason = "a call would need nodes and weights in memory")]
 pub(super) fn from_heaviest<D: Scalar, const N: usize>(nodes: &[Vector2<D>; N], weights: [D; N]) -> [Vector2<D>; N] {
@@ -309,7 +309,7 @@ pub(super) fn from_heaviest<D: Scalar, const N: usize>(nodes: &[Vector2<D>; N], 
     nodes.map(|x| x - base)
 }
 
-/// Σ wᵢ xᵢ. Weights that add up to 0 may take nodes as seen from one of them.
+/// Σ wᵢ xᵢ. For weights that add up to 0 the nodes may be given relative to one of them.
 #[inline(always)]
 #[expect(clippy::inline_always, reason = "a call would need nodes and weights in memory")]
 pub(super) fn weighted<D: Scalar, const N: usize>(nodes: &[Vector2<D>; N], weights: [D; N]) -> Vector2<D> {
@@ -323,7 +323,7 @@ pub(crate) fn gap<D: Scalar, const N: usize>(xs: Vector2<D>, nodes: &[Vector2<D>
     nodes.iter().zip(weights).fold(xs - base, |gap, (x, w)| gap - (x - base) * w)
 }
 
-/// The node of the largest weight. Places are compared and not nodes, so that no branch is mispredicted.
+/// The node of the largest weight. Indices are selected instead of nodes, so that no branch is mispredicted.
 #[inline]
 fn heaviest<D: Scalar, const N: usize>(nodes: &[Vector2<D>; N], weights: [D; N]) -> Vector2<D> {
     let heaviest = || {
@@ -342,7 +342,7 @@ fn heaviest<D: Scalar, const N: usize>(nodes: &[Vector2<D>; N], weights: [D; N])
 mod tests {
     use super::*;
 
-    /// Sides that do not belong together tell which of them are taken.
+    /// Inconsistent sides show which of them are used.
     #[test]
     fn a_rate_is_that_of_the_chord_near_the_midside_node_and_of_the_halves_elsewhere() {
         let [before, after, chord] = [[1.0, 0.0], [1.0, 0.0], [4.0, 0.0]].map(Vector2::from);
@@ -381,7 +381,7 @@ mod tests {
         }
     }
 
-    /// Nodes far from the origin: the differences are exact, products of whole places would not be.
+    /// Nodes far from the origin: the differences are exact, products with whole positions would not be.
     #[test]
     fn sums_are_taken_from_differences() {
         let far = Vector2::new(1e15, -1e15);

@@ -1,4 +1,4 @@
-//! Slip: how far the slave point moves along the line, relative to the material under it.
+//! Slip: the motion of the slave point along the line, relative to the material under it.
 
 #![expect(clippy::inline_always, reason = "what is not inlined is not compiled for vectors")]
 
@@ -23,7 +23,7 @@ fields! {
 }
 
 fields! {
-    /// A place on a straight segment, and the displacement increments there.
+    /// A point on a straight segment, and the displacement increments there.
     pub struct LinearMotion<T> {
         x1: Vector2<T> = X1, x2: Vector2<T> = X2, g: T = SEGMENT_G,
         dxs: Vector2<T> = DXS, dx1: Vector2<T> = DX1, dx2: Vector2<T> = DX2,
@@ -35,7 +35,7 @@ fields! {
 pub struct SlipIncrementLinear;
 
 impl SlipIncrementLinear {
-    /// Motion of the slave point relative to the segment: Σ Nᵢ (Δxs − Δxᵢ), exactly 0 when all move alike.
+    /// The motion of the slave point relative to the segment: Σ Nᵢ (Δxs − Δxᵢ), exactly 0 if all displacements are equal.
     #[inline]
     fn relative_motion<D: Scalar>(i: &LinearMotion<D>) -> Vector2<D> {
         let [n1, n2] = shape::linear(i.g);
@@ -64,7 +64,7 @@ impl Formula for SlipIncrementLinear {
         Slip { dslip: t.dot(&Self::relative_motion(i)) }
     }
 
-    /// The segment turns by n·(δx2 − δx1)/ℓ, which brings n·motion into the slip.
+    /// The segment rotates by n·(δx2 − δx1)/ℓ, which adds n·motion to the slip.
     #[inline(always)]
     fn jacobian<D: Scalar>(i: &LinearMotion<D>) -> Jacobian<Self, D> {
         let (length, t) = length_and_tangent(i.x2 - i.x1);
@@ -82,7 +82,7 @@ impl Formula for SlipIncrementLinear {
 }
 
 fields! {
-    /// A place on a parabolic segment, and the displacement increments there.
+    /// A point on a parabolic segment, and the displacement increments there.
     pub struct ParabolicMotion<T> {
         x1: Vector2<T> = X1, x2: Vector2<T> = X2, x3: Vector2<T> = X3, g: T = SEGMENT_G,
         dxs: Vector2<T> = DXS, dx1: Vector2<T> = DX1, dx2: Vector2<T> = DX2, dx3: Vector2<T> = DX3,
@@ -128,7 +128,7 @@ impl Formula for SlipIncrementParabolic {
         Slip { dslip: t.dot(&Self::relative_motion(i)) }
     }
 
-    /// The tangent turns by n·δX′/|X′|, with δX′ = Σ Nᵢ′ δxᵢ + X″ δg.
+    /// The tangent rotates by n·δX′/|X′|, with δX′ = Σ Nᵢ′ δxᵢ + X″ δg.
     #[inline(always)]
     fn jacobian<D: Scalar>(i: &ParabolicMotion<D>) -> Jacobian<Self, D> {
         let [n1, n2, n3] = shape::parabolic(i.g);

@@ -61,7 +61,7 @@ impl Formula for TorqueLinear {
         let ([m1, m2], both) = (moments(r1, r2), r1 + r2);
         let sixth = pi::<D>() / 6.0;
         let band = sixth * length;
-        // What a node does to its radius and to the length may cancel: π/6 comes last.
+        // The effects of a node through its radius and through the length may cancel: π/6 is multiplied last.
         let (twice, stretch) = (length * 2.0, t * (i.p1 * m1 + i.p2 * m2));
         let radius = |moment| Vector2::new(twice * moment, D::zero());
         let x1 = (radius(i.p1 * (both + r1 * 2.0) + i.p2 * both) - stretch) * sixth;
@@ -89,11 +89,11 @@ fields! {
     }
 }
 
-/// Torque over an ISL22A element: T = 2π Σ w r² p |X′| over the five points of Gauss and Legendre, p parabolic.
+/// Torque over an ISL22A element: T = 2π Σ w r² p |X′| over the five Gauss–Legendre points, with p parabolic.
 #[derive(Clone, Copy, Debug)]
 pub struct TorqueParabolic;
 
-/// The rule of Gauss and Legendre with five points, which integrates polynomials of degree 9 exactly.
+/// The Gauss–Legendre rule with five points, which integrates polynomials of degree 9 exactly.
 ///
 /// A row per point g = 0, ⅓√(5 − 2√(10/7)), ⅓√(5 + 2√(10/7)): 2πw, g − ½, and the weights N1, N2, N3 of the nodes. The points
 /// at −g are their mirror images.
@@ -115,7 +115,7 @@ const RULE: [[f64; 5]; 3] = [
     ],
 ];
 
-/// A row of it by its definition, by roots of the Legendre polynomial.
+/// A row of the rule from its definition, the roots of the Legendre polynomial.
 fn definition<L: Leaf>(row: usize) -> [L; 5] {
     let number = |x: f64| L::from(x);
     let root = (number(10.0) / 7.0).sqrt() * 2.0;
@@ -136,7 +136,7 @@ struct Station<D> {
     moment: D,
 }
 
-// Five of these stand in a row in every result; as calls they took as long as all the rest.
+// Five of these are computed for every result; as calls they took as long as all the rest.
 impl<D: Scalar> Station<D> {
     #[inline(always)]
     fn new(weight: D, radius: D, pressure: D, rate: Vector2<D>) -> Self {
@@ -162,19 +162,19 @@ impl<D: Scalar> Station<D> {
         (middle, [Self::pair(i, 1, halves), Self::pair(i, 2, halves)])
     }
 
-    /// Torque by the pressure here.
+    /// The derivative of the torque with respect to the pressure here.
     #[inline(always)]
     fn by_pressure(&self) -> D {
         self.moment * self.length * self.radius
     }
 
-    /// Half of torque by the radius here.
+    /// Half of the derivative of the torque with respect to the radius here.
     #[inline(always)]
     fn by_radius(&self) -> D {
         self.moment * self.length * self.pressure
     }
 
-    /// Torque by X′ here.
+    /// The derivative of the torque with respect to X′ here.
     #[inline(always)]
     fn by_rate(&self) -> Vector2<D> {
         let along = self.moment * (self.radius * self.pressure) / self.length;
@@ -192,8 +192,8 @@ impl Formula for TorqueParabolic {
     const SPEC: Spec = Spec::new("slide_line.torque_parabolic", "Torque over ISL22A", SOURCE)
         .equation(r"\begin{aligned} T &= 2\pi \sum_{q=1}^{5} w_q\, r(g_q)^2\, p(g_q)\, \lvert\mathbf{X}'(g_q)\rvert,\quad r(g) = \sum_{i=1}^{3} N_i(g)\,r_i,\quad p(g) = \sum_{i=1}^{3} N_i(g)\,p_i, \\ N_1(g) &= \tfrac12 g(g-1),\quad N_2(g) = 1-g^2,\quad N_3(g) = \tfrac12 g(g+1),\quad r_i = x_{i,1}\quad (i = 1, 2, 3), \\ g_5 &= \tfrac13\sqrt{5+2\sqrt{\tfrac{10}{7}}},\quad g_4 = \tfrac13\sqrt{5-2\sqrt{\tfrac{10}{7}}},\quad g_3 = 0,\quad g_2 = -g_4,\quad g_1 = -g_5, \\ w_5 &= \tfrac{322-13\sqrt{70}}{900},\quad w_4 = \tfrac{322+13\sqrt{70}}{900},\quad w_3 = \tfrac{128}{225},\quad w_2 = w_4,\quad w_1 = w_5 \end{aligned}")
 .given(&[Given::new(r"\mathbf{X}'(g)", &ParabolicPoint::SPEC)])
-        // A quadratic that is ≥ 0 at the nodes can be negative between them, and the weights of a node always are
-        // somewhere: terms of either sign then cancel in the sum.
+        // A quadratic that is ≥ 0 at the nodes can be negative between them, and the weight of a node always is somewhere: terms
+        // of opposite signs then cancel in the sum.
         .eta(16.0, 96.0)
         .scale(1e3)
         .finite(Finite::Between)
@@ -219,7 +219,7 @@ impl Formula for TorqueParabolic {
         let zero = D::zero();
         let (mut p, mut r) = ([zero, middle.by_pressure(), zero], [zero, middle.by_radius(), zero]);
         let mut t = p[1] * middle.pressure;
-        // By the halves of the element; in the middle X′ is half their sum, and x2 drops out.
+        // Derivatives with respect to the halves of the element; in the middle X′ is half their sum, and x2 drops out.
         let (mut first, mut second) = (Vector2::from_element(zero), Vector2::from_element(zero));
         for (row, [after, before]) in [1, 2].into_iter().zip(&pairs) {
             let [_, k, n1, n2, n3] = rule::<D>(row);

@@ -1,4 +1,4 @@
-//! Evidence for the formulas next door: cases, laws.
+//! Evidence for the formulas of the parent module: cases, laws.
 
 use super::{AlignLoads, AlignRows, GeometricStiffness, Moments, Rows};
 use crate::Octuple;
@@ -11,27 +11,27 @@ use nalgebra::Vector3;
 use num_dual::DualNum;
 use num_traits::{One, Zero};
 
-/// Both triads as the nodes move.
+/// Both triads under a motion of the nodes.
 pub(in crate::element) fn turned(i: &Triads<Octuple>, motion: &Motion) -> Triads<Moving> {
     let [e1a, e2a, e3a] = [i.e1a, i.e2a, i.e3a].map(|e| motion.of_a(e));
     let [e1b, e2b, e3b] = [i.e1b, i.e2b, i.e3b].map(|e| motion.of_b(e));
     Triads { e1a, e2a, e3a, e1b, e2b, e3b }
 }
 
-/// The residuals of ALIGN as the nodes move, apart from the angles of the start.
+/// The residuals of ALIGN under a motion of the nodes, without the initial angles.
 fn residuals(i: &Triads<Octuple>, motion: &Motion) -> [Moving; 3] {
     let Angles { alpha, beta, gamma } = CardanAngles::eval(&turned(i, motion));
     [alpha, beta, gamma]
 }
 
 impl AlignRows<Octuple> {
-    /// Row by row, with what is zero everywhere.
+    /// The rows as motions, including the parts that are always zero.
     pub(in crate::element) fn rows(&self) -> [Motion; 3] {
         [self.ur1_tb, self.ur2_tb, self.ur3_tb].map(|tb| Motion { ta: -tb, tb, ..Motion::none() })
     }
 }
 
-/// Two derivatives by translations and spins are equal.
+/// Two derivatives with respect to spins are equal, and those with respect to translations are 0.
 fn equal_turns(row: &Motion, found: &Motion) -> Vec<Equation> {
     let size = law::length(row.tb);
     [
@@ -42,7 +42,7 @@ fn equal_turns(row: &Motion, found: &Motion) -> Vec<Equation> {
     .concat()
 }
 
-/// How both nodes are turned, at points of interest.
+/// The triads of both nodes at points of interest.
 pub(in crate::element) fn triads() -> Vec<Case<Triads<f64>>> {
     let [a, b] = turns::axes([1, 2, 3]);
     let mut cases =
@@ -54,7 +54,7 @@ pub(in crate::element) fn triads() -> Vec<Case<Triads<f64>>> {
     cases
 }
 
-/// What has no angles, or no derivatives of them.
+/// Triads without angles, or without derivatives of the angles.
 pub(in crate::element) fn invalid() -> Vec<Case<Triads<f64>>> {
     let [a, b] = turns::axes([1, 2, 3]);
     let upright = Triads { e3b: Vector3::new(1.0, -0.5, 0.5), ..Triads::new(a, b) };
@@ -169,13 +169,13 @@ impl Proved for Moments {
     }
 }
 
-/// The nodal forces as the nodes move.
+/// The nodal forces under a motion of the nodes.
 fn moving(i: &AlignLoads<Octuple>, motion: &Motion) -> element::Forces<Moving> {
     let moments = Moments::eval(&AlignLoads::new(&turned(&i.triads(), motion), i.multipliers().map(still)));
     NodalForces { ma: moments.ma, mb: moments.mb, ..NodalForces::filled(still(Octuple::zero())) }.vector()
 }
 
-/// The sizes of the terms of the stiffness: an axis that a row is measured along, times what the row is.
+/// The size of the terms of the stiffness: each row times its multiplier, times the length of an axis or of the row.
 pub(in crate::element) fn stiffness_size(i: &AlignLoads<Octuple>) -> Octuple {
     let rows = Rows::eval(&i.triads()).rows();
     rows.iter()

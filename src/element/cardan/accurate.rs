@@ -1,4 +1,4 @@
-//! The three angles as programs should take them, β in the two-argument form; and what the arc sine loses.
+//! The three angles as programs should compute them, with β in the two-argument form; and their condition number.
 
 use super::{Angles, Beta, BetaAxes, BetaTwoArgument, Triads, check_turns};
 use crate::element::frame::Triad;
@@ -25,20 +25,20 @@ use crate::number::scalar::Scalar;
 /// ```
 ///
 /// # Errors
-/// [`Error::GimbalLock`] where α or γ is undefined.
+/// [`Error::GimbalLock`] if α or γ is undefined.
 pub fn between(a: &Triad, b: &Triad) -> Result<Angles<f64>, Error> {
     let triads = Triads::from((a, b));
     check_turns(&triads)?;
     Ok(accurate(&triads))
 }
 
-/// The greatest condition number of the angles with which a joint may start.
+/// The largest condition number of the angles with which a joint may start.
 pub const MOST_CONDITION: f64 = 1e3;
 
-/// The condition number of the derivative of (α, β, γ) by a spin of b: √((1 + |sin β|)/(1 − |sin β|)), which is
+/// The condition number of the derivative of (α, β, γ) with respect to a spin of b: √((1 + |sin β|)/(1 − |sin β|)), which is
 /// (1 + |sin β|)/cos β.
 ///
-/// The spin is `dα e1a + dβ n + dγ e3b` with n across e1a and e3b, so that only the angle between e1a and e3b counts.
+/// The spin is `dα e1a + dβ n + dγ e3b` with n normal to e1a and e3b, so that only the angle between e1a and e3b matters.
 ///
 /// ```
 /// use jointproof::element::cardan::condition;

@@ -20,8 +20,7 @@ fields! {
 
 /// Cardan angles: α = −atan2(e2a·e3b, e3a·e3b), β = asin(e1a·e3b), γ = −atan2(e1a·e2b, e1a·e1b).
 ///
-/// |e1a·e3b| > 1 is rejected. At exactly ±1 the arc sine ends upright: β is ±90°, and its derivative, which is
-/// infinite, is replaced by that of the constant beyond, 0.
+/// |e1a·e3b| > 1 is rejected. At exactly ±1 the arc sine ends with a vertical tangent: β is ±90°, and its derivative, which is infinite, is replaced by 0, that of the constant beyond.
 #[derive(Clone, Copy, Debug)]
 pub struct CardanAngles;
 

@@ -1,4 +1,4 @@
-//! The arc sine of a scalar product, with value and derivative as good close to ±1 as the components allow.
+//! The arc sine of a scalar product, with value and derivative as accurate close to ±1 as the components allow.
 
 #![expect(clippy::inline_always, reason = "what is not inlined is not compiled for vectors")]
 
@@ -6,7 +6,7 @@ use crate::formula::error::Error;
 use crate::number::scalar::{Leaf, Scalar, abs, asin, constant, pi, sign};
 use nalgebra::Vector3;
 
-/// Above this |sin β| the difference 1 − |sin β| is formed without rounding.
+/// Above this |sin β| the difference 1 − |sin β| is formed without rounding errors.
 const STEEP: f64 = 0.99;
 /// π/2 minus the double below it.
 const FRAC_PI_2_LOW: f64 = 6.123_233_995_736_766e-17;
@@ -22,15 +22,15 @@ pub(super) fn arc_sine<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>) -> D {
     if is_gentle { asin(sine) } else { steep_arc_sine([*a, *b]) }
 }
 
-/// By value, as [`steep_slope`]: references would keep the vectors in memory for all.
+/// Passed by value, as in [`steep_slope`]: references would keep the vectors in memory on all paths.
 #[cold]
 fn steep_arc_sine<D: Scalar>([a, b]: [Vector3<D>; 2]) -> D {
     let (sine, shortfall) = (a.dot(&b), shortfall(&a, &b));
     if shortfall > 0.0 { gentle_or_steep(false, sine, shortfall) } else { asin(sign(sine)) }
 }
 
-/// The arc sine, where it is steep from what the sine falls short of ±1: twice the arc sine of √(shortfall/2) is what is missing
-/// to 90°.
+/// The arc sine; where it is steep, from the difference of the sine from ±1: the angle differs from 90° by twice the arc sine of
+/// √(shortfall/2).
 #[inline(always)]
 fn gentle_or_steep<D: Scalar>(is_gentle: bool, sine: D, shortfall: D) -> D {
     let angle = asin(if is_gentle { sine } else { (shortfall * 0.5).sqrt() });
@@ -38,8 +38,8 @@ fn gentle_or_steep<D: Scalar>(is_gentle: bool, sine: D, shortfall: D) -> D {
     if is_gentle { angle } else { sign(sine) * (pi::<D>() * 0.5 - (angle * 2.0 - low)) }
 }
 
-/// The derivative of [`arc_sine`] with respect to a·b, 1/√(1 − (a·b)²), and its square, of which it is the root: so that its
-/// powers have few roundings. 0 beyond ±1.
+/// The derivative of [`arc_sine`] with respect to a·b, 1/√(1 − (a·b)²), and its square, of which it is computed as the root, so
+/// that its powers have few rounding errors. Both are 0 beyond ±1.
 #[inline]
 pub(crate) fn arc_sine_slope<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>) -> [D; 2] {
     let sine = a.dot(b);
@@ -57,7 +57,7 @@ fn steep_slope<D: Scalar>([a, b]: [Vector3<D>; 2]) -> [D; 2] {
     if shortfall > 0.0 { per_square(steep_square(shortfall)) } else { [D::zero(); 2] }
 }
 
-/// 1/x and 1/x² of the square x² of a number.
+/// 1/x and 1/x² from the square x² of a number.
 #[inline(always)]
 fn per_square<D: Scalar>(square: D) -> [D; 2] {
     let per_square = square.recip();
@@ -70,8 +70,8 @@ fn steep_square<D: Scalar>(shortfall: D) -> D {
     shortfall * (-shortfall + 2.0)
 }
 
-/// 1 − |a·b| as if computed with twice the digits, so that its sign and its leading digits are right even where a·b
-/// rounds to ±1: products and sums are taken together with their rounding errors.
+/// 1 − |a·b| as if computed with twice the digits, so that its sign and its leading digits are correct even if a·b rounds to ±1:
+/// products and sums are taken together with their rounding errors.
 #[inline(always)]
 fn shortfall<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>) -> D {
     let side = -sign(a.dot(b));
@@ -87,7 +87,7 @@ fn shortfall<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>) -> D {
     sum + errors
 }
 
-/// Rejects |e1a·e3b| > 1, which has no arc sine. Where several rows are computed at once, numbers are not finite there.
+/// Rejects |e1a·e3b| > 1, which has no arc sine. If several rows are computed at once, the results are not finite there instead.
 ///
 /// # Errors
 /// [`Error::NoArcSine`].

@@ -12,7 +12,7 @@ use crate::number::scalar::{Scalar, angles, atan2, has_length, norm, norm_and_di
 use nalgebra::Vector3;
 
 fields! {
-    /// The first axis of a, and how node b is turned.
+    /// The first axis of a, and the triad of b.
     pub struct BetaAxes<T> {
         e1a: Vector3<T> = E1A, e1b: Vector3<T> = E1B, e2b: Vector3<T> = E2B, e3b: Vector3<T> = E3B,
     }
@@ -31,8 +31,8 @@ impl<T: Component> From<&Triads<T>> for BetaAxes<T> {
 
 /// The second Cardan angle from its sine and its cosine: β = atan2(e1a·e3b, √((e1a·e1b)² + (e1a·e2b)²)).
 ///
-/// On orthonormal triads it is the documented arc sine. At ±90° it has a tip like that of a cone, for the cosine is a
-/// length: the derivative there is 0 by convention.
+/// On orthonormal triads it equals the documented arc sine. At ±90° it has a cone-like tip, since the cosine is a length: the
+/// derivative there is 0 by convention.
 #[derive(Clone, Copy, Debug)]
 pub struct BetaTwoArgument;
 
@@ -58,8 +58,8 @@ impl Formula for BetaTwoArgument {
         Beta { beta: atan2(i.e1a.dot(&i.e3b) + 0.0, cosine) }
     }
 
-    /// The cosine is e1a·m with m = n1 e1b + n2 e2b, n the direction of (e1a·e1b, e1a·e2b), and a change of n leaves it to
-    /// first order. So β is the angle of e1a between the axes m and e3b, and m may be taken as fixed.
+    /// The cosine is e1a·m with m = n1 e1b + n2 e2b, n the direction of (e1a·e1b, e1a·e2b), and does not depend on n to first
+    /// order. So β is the angle of e1a between the axes m and e3b, with n held constant.
     #[inline]
     fn jacobian<D: Scalar>(i: &BetaAxes<D>) -> Jacobian<Self, D> {
         Self::linearized(i).1
@@ -70,10 +70,10 @@ impl Formula for BetaTwoArgument {
         let (cosine, [n1, n2]) = norm_and_direction([i.e1a.dot(&i.e1b), i.e1a.dot(&i.e2b)]);
         let m = i.e1b * n1 + i.e2b * n2;
         let sine = i.e1a.dot(&i.e3b);
-        // β is 90° less the angle from the other axis, which has the opposite derivative.
+        // β is 90° minus the angle from the other axis, which has the opposite derivative.
         let [by_e1a, by_m, by_e3b] = turn_gradient([&i.e1a, &m, &i.e3b], (cosine, sine));
         let by = BetaAxes { e1a: by_e1a, e1b: by_m * n1, e2b: by_m * n2, e3b: by_e3b };
-        // As a list of one it is compiled in place, which makes all of this a tenth faster; it has the same bits.
+        // As an array of one angle the call is inlined, which makes the whole function a tenth faster; the bits are the same.
         let [beta] = angles([sine + 0.0], [cosine]);
         (Beta { beta }, Beta { beta: by })
     }

@@ -11,7 +11,7 @@ use crate::number::scalar::Scalar;
 use nalgebra::Vector3;
 
 fields! {
-    /// How both nodes are turned.
+    /// The vectors of both triads.
     pub struct Triads<T> {
         e1a: Vector3<T> = E1A, e2a: Vector3<T> = E2A, e3a: Vector3<T> = E3A,
         e1b: Vector3<T> = E1B, e2b: Vector3<T> = E2B, e3b: Vector3<T> = E3B,
@@ -19,13 +19,13 @@ fields! {
 }
 
 impl<T: Component> Triads<T> {
-    /// From the triads of a and of b.
+    /// Combines the triads of a and of b.
     #[inline]
     pub const fn new([e1a, e2a, e3a]: [Vector3<T>; 3], [e1b, e2b, e3b]: [Vector3<T>; 3]) -> Self {
         Self { e1a, e2a, e3a, e1b, e2b, e3b }
     }
 
-    /// From vectors that stand elsewhere, component by component: copies of whole vectors go through memory.
+    /// Copies the vectors component by component: whole vectors would be copied through memory.
     #[inline(always)]
     pub(crate) fn by_components(a: [&Vector3<T>; 3], b: [&Vector3<T>; 3]) -> Self {
         Self::new(a.map(Vector3::xyz), b.map(Vector3::xyz))
@@ -33,7 +33,7 @@ impl<T: Component> Triads<T> {
 }
 
 impl<D: Scalar> Triads<D> {
-    /// α and γ, in less time than one after the other.
+    /// α and γ together, which is faster than one after the other.
     #[inline(always)]
     pub(crate) fn alpha_and_gamma(&self) -> [D; 2] {
         let [sines, cosines] = self.sines_and_cosines();
@@ -49,15 +49,15 @@ impl<D: Scalar> Triads<D> {
         [Self { e2a: by_e2a, e3a: by_e3a, e3b: by_e3b, ..zero }, Self { e1a: by_e1a, e1b: by_e1b, e2b: by_e2b, ..zero }]
     }
 
-    /// The scalar products of which α and γ are the angles, but for the sign.
+    /// The scalar products whose angles are α and γ, except for the sign.
     #[inline(always)]
     fn sines_and_cosines(&self) -> [[D; 2]; 2] {
         let Self { e1a, e2a, e3a, e1b, e2b, e3b } = self;
         [[e3b.dot(e2a), e1a.dot(e2b)], [e3b.dot(e3a), e1a.dot(e1b)]]
     }
 
-    /// The moments on a and on b of a unit multiplier whose residual has this gradient: with δe = ω × e in every vector
-    /// of a node, Σ (∂g/∂e)·δe = ω·Σ e × ∂g/∂e.
+    /// The moments on a and on b of a unit multiplier whose residual has this gradient: with δe = ω × e for every vector of a
+    /// node, Σ (∂g/∂e)·δe = ω·Σ e × ∂g/∂e.
     #[inline]
     pub fn moments(&self, gradient: &Self) -> [Vector3<D>; 2] {
         let moment = |e: Vector3<D>, slope: Vector3<D>| e.cross(&slope);

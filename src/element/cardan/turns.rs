@@ -1,4 +1,4 @@
-//! Pairs of triads of interest, declared once: every formula that takes the turns of two nodes is tested on these.
+//! Pairs of triads of interest, declared once: every formula of the orientations of two nodes is tested on these.
 
 use super::{Oriented, Triads, rotation, turned};
 use crate::Octuple;
@@ -53,7 +53,7 @@ pub fn triads() -> Vec<Hard<TriadPair>> {
     ]
 }
 
-/// Gimbal lock: β = ±90°, where α and γ turn about the same axis and neither is defined.
+/// Gimbal lock: β = ±90°, where α and γ rotate about the same axis and neither is defined.
 pub fn gimbal_locked() -> Vec<Hard<TriadPair>> {
     vec![
         Hard::new("gimbal+90", "β = 90°: α and γ are undefined", axes([-3, 2, 1])),
@@ -61,14 +61,14 @@ pub fn gimbal_locked() -> Vec<Hard<TriadPair>> {
     ]
 }
 
-/// Node a along the global axes, node b along these of them, counted from 1, reversed where negative.
+/// The triad of a is the global axes, that of b consists of these of them, counted from 1, reversed if negative.
 pub fn axes(of_b: [i32; 3]) -> TriadPair {
     let [x, y, z] = [Vector3::x(), Vector3::y(), Vector3::z()];
     let axis = |k: i32| [x, y, z][(k.unsigned_abs() as usize - 1) % 3] * f64::from(k.signum());
     [[x, y, z], of_b.map(axis)]
 }
 
-/// Node a as [`triad`], node b at these Cardan angles to it, every component rounded once.
+/// The triad of a as in [`triad`], that of b at these Cardan angles relative to it, every component rounded once.
 pub fn at_angles([alpha, beta, gamma]: [Octuple; 3]) -> TriadPair {
     let a = FIFTEENTHS.map(|row| Vector3::from(row.map(Octuple::from)) / Octuple::from(15.0));
     let b = turned(&a, &rotation(alpha, beta, gamma));
@@ -131,7 +131,7 @@ where
     ]
 }
 
-/// Node a along the global axes, node b along these of them.
+/// The triad of a is the global axes, that of b consists of these of them.
 pub(crate) fn of_axes(of_b: [i32; 3]) -> Triads<f64> {
     let [a, b] = axes(of_b);
     Triads::new(a, b)

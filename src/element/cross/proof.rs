@@ -1,4 +1,4 @@
-//! Evidence for the formulas next door: cases, laws.
+//! Evidence for the formulas of the parent module: cases, laws.
 
 use super::{CrossAxes, GeometricStiffness, Moments, Rows, UniversalLoads, UniversalMoments, UniversalRow};
 use crate::Octuple;
@@ -11,14 +11,14 @@ use crate::formula::proof::{Case, Law, Proved, hard, law};
 use nalgebra::Vector3;
 use num_traits::Zero;
 
-/// The residual of UNIVERSAL as the nodes move, apart from its value at the start.
+/// The residual of UNIVERSAL under a motion of the nodes, without its initial value.
 pub(in crate::element) fn residual(i: &CrossAxes<Octuple>, motion: &Motion) -> Moving {
     let (e1a, e3b) = (motion.of_a(i.e1a), motion.of_b(i.e3b));
     e1a.dot(&e3b)
 }
 
 impl UniversalRow<Octuple> {
-    /// The row, with what is zero everywhere.
+    /// The row as a motion, including the parts that are always zero.
     pub(in crate::element) fn row(&self) -> Motion {
         Motion { ta: self.g_rot_ta, tb: self.g_rot_tb, ..Motion::none() }
     }
@@ -79,7 +79,7 @@ impl Proved for Rows {
     }
 }
 
-/// The same, with multipliers at points of interest.
+/// The same with multipliers at points of interest.
 fn loads() -> Vec<Case<UniversalLoads<f64>>> {
     let with = |case: Case<CrossAxes<f64>>| {
         let CrossAxes { e1a, e3b } = case.inputs;
@@ -113,13 +113,13 @@ impl Proved for Moments {
     }
 }
 
-/// The nodal forces as the nodes move.
+/// The nodal forces under a motion of the nodes.
 fn moving(i: &UniversalLoads<Octuple>, motion: &Motion) -> element::Forces<Moving> {
     let (e1a, e3b, lambda_rot) = (motion.of_a(i.e1a), motion.of_b(i.e3b), still(i.lambda_rot));
     whole(Moments::eval(&UniversalLoads { e1a, e3b, lambda_rot }))
 }
 
-/// With forces, which are none.
+/// The moments with the forces, which are zero.
 fn whole<D: Scalar>(UniversalMoments { ma, mb }: UniversalMoments<D>) -> element::Forces<D> {
     let none = Vector3::from_element(D::zero());
     NodalForces { fa: none, ma, fb: none, mb }.vector()

@@ -1,4 +1,4 @@
-//! Evidence for the formulas next door: cases, laws.
+//! Evidence for the formulas of the parent module: cases, laws.
 
 use super::{Forces, GeometricStiffness, JoinForces, JoinLoads, JoinRows, Positions, Rows};
 use crate::Octuple;
@@ -12,7 +12,7 @@ use num_traits::Zero;
 
 type Vector = Vector3<Octuple>;
 
-/// The residuals of JOIN as the nodes move, apart from the position at the start.
+/// The residuals of JOIN under a motion of the nodes, without the initial position.
 pub(in crate::element) fn residuals(i: &Positions<Octuple>, motion: &Motion) -> Vector3<Moving> {
     let [xa, xb] = motion.places([i.xa, i.xb]);
     let [e1a, e2a, e3a] = [i.e1a, i.e2a, i.e3a].map(|e| motion.of_a(e));
@@ -21,7 +21,7 @@ pub(in crate::element) fn residuals(i: &Positions<Octuple>, motion: &Motion) -> 
 }
 
 impl JoinRows<Octuple> {
-    /// Row by row, with what is zero everywhere.
+    /// The rows as motions, including the parts that are always zero.
     pub(in crate::element) fn rows(&self) -> [Motion; 3] {
         let row = |ua: Vector, ta: Vector, ub: Vector| Motion { ua, ta, ub, ..Motion::none() };
         [
@@ -32,13 +32,13 @@ impl JoinRows<Octuple> {
     }
 }
 
-/// Two derivatives by translations and spins are equal.
+/// Two derivatives with respect to translations and spins are equal.
 pub(in crate::element) fn equal_motions(left: &Motion, right: &Motion) -> Vec<Equation> {
     let pairs = [(left.ua, right.ua), (left.ta, right.ta), (left.ub, right.ub), (left.tb, right.tb)];
     pairs.into_iter().flat_map(|(left, right)| law::equal_vectors(left, right)).collect()
 }
 
-/// A row does no work where both nodes move as one body: the forces and moments of a unit multiplier balance.
+/// A row does no work in a motion of both nodes as one body: the forces and moments of a unit multiplier balance.
 pub(in crate::element) fn balance(row: &Motion, [xa, xb]: [Vector; 2]) -> Vec<Equation> {
     let arm = xb - xa;
     let size = law::length(row.ta) + law::length(row.tb) + law::length(arm) * law::length(row.ub);
@@ -46,7 +46,7 @@ pub(in crate::element) fn balance(row: &Motion, [xa, xb]: [Vector; 2]) -> Vec<Eq
     [law::equal_vectors(row.ua, -row.ub), law::vanish(moment.iter().copied(), size)].concat()
 }
 
-/// Where nodes stand and how a is turned, at points of interest.
+/// The positions of the nodes and the triad of a, at points of interest.
 fn positions() -> Vec<Case<Positions<f64>>> {
     let [e1a, e2a, e3a] = hard::triad();
     let axes = Positions {
@@ -104,7 +104,7 @@ impl Proved for Rows {
     }
 }
 
-/// The same, with forces at points of interest.
+/// The same with forces at points of interest.
 fn loads() -> Vec<Case<JoinLoads<f64>>> {
     let with = |case: Case<Positions<f64>>, [f1, f2, f3]: [f64; 3]| {
         let Positions { e1a, e2a, e3a, xa, xb } = case.inputs;
@@ -150,7 +150,7 @@ impl Proved for Forces {
     }
 }
 
-/// The nodal forces as the nodes move.
+/// The nodal forces under a motion of the nodes.
 fn moving(i: &JoinLoads<Octuple>, motion: &Motion) -> element::Forces<Moving> {
     let [xa, xb] = motion.places([i.xa, i.xb]);
     let [e1a, e2a, e3a] = [i.e1a, i.e2a, i.e3a].map(|e| motion.of_a(e));
@@ -158,7 +158,7 @@ fn moving(i: &JoinLoads<Octuple>, motion: &Motion) -> element::Forces<Moving> {
     whole(Forces::eval(&JoinLoads { e1a, e2a, e3a, xa, xb, f1, f2, f3 }))
 }
 
-/// With the moment on b, which is none.
+/// The forces with the moment on b, which is zero.
 pub(in crate::element) fn whole<D: Scalar>(JoinForces { fa, ma, fb }: JoinForces<D>) -> element::Forces<D> {
     NodalForces { fa, ma, fb, mb: Vector3::from_element(D::zero()) }.vector()
 }

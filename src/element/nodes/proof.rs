@@ -1,11 +1,11 @@
-//! Where elements of two nodes are tried.
+//! The poses at which elements of two nodes are tested.
 
 use super::Nodes;
 use crate::formula::proof::Hard;
 use crate::formula::proof::hard::{triad, turned};
 use nalgebra::Vector3;
 
-/// Poses worked by hand, then hard ones.
+/// Poses computed by hand, then hard ones.
 pub(crate) fn poses() -> [Hard<Nodes<f64>>; 8] {
     let [global, other] = [turned([1.0, 0.0, 0.0, 0.0]), triad()];
     let near = Vector3::new(0.75, -0.5, 0.4375);

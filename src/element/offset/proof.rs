@@ -1,4 +1,4 @@
-//! Evidence for the formula next door: cases, laws.
+//! Evidence for the formula of the parent module: cases, laws.
 
 use super::{Arm, ArmActions, ArmLoads};
 use crate::element::motion::{Motion, derivative, still};
@@ -35,7 +35,7 @@ impl Proved for Arm {
     fn laws() -> Vec<Law<Self>> {
         vec![
             Law::<Self>::new("the work in any motion of the node is that at the end of the arm", |i| {
-                // θ × r is what the end moves by; with three spins the moment is told.
+                // θ × r is the displacement of the end; three spins determine the moment.
                 let work = |spin: Vector3<_>| i.f.dot(&spin.cross(&i.r)) + i.m.dot(&spin);
                 let axes = [Vector3::x(), Vector3::y(), Vector3::z()];
                 let size = law::length(i.f) * law::length(i.r) + law::length(i.m);

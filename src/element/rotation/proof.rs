@@ -1,4 +1,4 @@
-//! Evidence for the formulas next door: cases, laws.
+//! Evidence for the formulas of the parent module: cases, laws.
 
 use super::{EulerParameters, QuaternionLoad, RotationVector, TurnedLoad};
 use crate::Octuple;
@@ -10,7 +10,7 @@ use nalgebra::{Matrix3, Vector3};
 use num_dual::{Dual, DualNum};
 use num_traits::{One, Zero};
 
-/// The spin that goes with a change of unknowns: \[δθ×\] = δR Rᵀ.
+/// The spin due to a change of unknowns: \[δθ×\] = δR Rᵀ.
 fn spin(turned: impl Fn() -> Matrix3<Dual<Octuple>>) -> Vector3<Octuple> {
     let moved = turned();
     let rate = moved.map(|x| x.eps) * moved.map(|x| x.re).transpose();
@@ -18,25 +18,25 @@ fn spin(turned: impl Fn() -> Matrix3<Dual<Octuple>>) -> Vector3<Octuple> {
         * Octuple::from(0.5)
 }
 
-/// A vector of which the k-th component grows.
+/// A vector whose k-th component has the derivative 1.
 fn growing<const N: usize>(x: nalgebra::SVector<Octuple, N>, k: usize) -> nalgebra::SVector<Dual<Octuple>, N> {
     x.zip_map(&along(k, Octuple::one()), Dual::new)
 }
 
-/// The turn by a rotation vector, by Rodrigues' formula in half the angle.
+/// The rotation of a rotation vector, by Rodrigues' formula in half the angle.
 pub(crate) fn rodrigues<D: Scalar>(psi: &Vector3<D>) -> Matrix3<D> {
     let half = psi.dot(psi).sqrt() * 0.5;
     let (sin, cos) = half.sin_cos();
     from_euler(cos, &(psi * (sin / half * 0.5)))
 }
 
-/// The turn by Euler parameters.
+/// The rotation of Euler parameters.
 pub(crate) fn from_euler<D: Scalar>(q0: D, q: &Vector3<D>) -> Matrix3<D> {
     let (cross, two) = (skew(q), D::from(2.0));
     Matrix3::identity() + cross * (q0 * two) + cross * cross * two
 }
 
-/// Work on each unknown, found and expected.
+/// The generalised moments equal the work of the moment on the spin of each unknown.
 fn works<const N: usize>(found: [Octuple; N], spins: [Vector3<Octuple>; N], m: Vector3<Octuple>) -> Vec<Equation> {
     let size = spins.iter().map(|&spin| law::length(spin)).fold(Octuple::one(), |a, b| if b > a { b } else { a });
     law::equal_all_with(found.into_iter().zip(spins.map(|spin| m.dot(&spin))), size * law::length(m))
@@ -121,7 +121,7 @@ impl Proved for EulerParameters {
                     let load = Self::eval(&QuaternionLoad { q0, q, m });
                     let found = nalgebra::Vector4::new(load.m_q0, load.m_q.x, load.m_q.y, load.m_q.z);
                     let here = nalgebra::Vector4::new(q0, q.x, q.y, q.z);
-                    // Six planes in four dimensions: what one parameter gains at the cost of another.
+                    // The six planes of four dimensions: one parameter grows at the expense of another.
                     let planes = [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)].map(|(j, k)| {
                         let mut change = here * Octuple::zero();
                         (change[j], change[k]) = (-here[k], here[j]);
@@ -144,7 +144,7 @@ impl Proved for EulerParameters {
     }
 }
 
-/// The parameters made a unit quaternion.
+/// The parameters normalised to a unit quaternion.
 fn unit(i: &QuaternionLoad<Octuple>) -> (Octuple, Vector3<Octuple>, Vector3<Octuple>) {
     let length = (i.q0 * i.q0 + i.q.dot(&i.q)).sqrt();
     if length.is_zero() { (Octuple::one(), i.q, i.m) } else { (i.q0 / length, i.q / length, i.m) }

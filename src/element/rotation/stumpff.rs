@@ -1,12 +1,12 @@
-//! Stumpff functions of θ²: sin θ/θ, (1 − cos θ)/θ² and (θ − sin θ)/θ³, which have no bad place at θ = 0.
+//! Stumpff functions of θ²: sin θ/θ, (1 − cos θ)/θ² and (θ − sin θ)/θ³, which are regular at θ = 0.
 //!
-//! c_n(s) = Σ (−s)ᵏ/(2k+n)! and c_n = 1/n! − s c_(n+2), so that the series of c4 and c5 give all below them without
-//! cancellation while s is small; then sine and cosine do (K. Stumpff, Himmelsmechanik I, section 41).
+//! c_n(s) = Σ (−s)ᵏ/(2k+n)! and c_n = 1/n! − s c_(n+2), so that the series of c4 and c5 give all lower ones without cancellation
+//! while s is small; for larger s, sine and cosine do (K. Stumpff, Himmelsmechanik I, section 41).
 
 use crate::number::scalar::{Leaf, Scalar, constant};
 use num_dual::DualNum;
 
-/// The first three.
+/// The first three functions.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Stumpff<D> {
     pub(super) c1: D,
@@ -14,15 +14,15 @@ pub(super) struct Stumpff<D> {
     pub(super) c3: D,
 }
 
-/// The series serve below here, where an alternating sum loses nothing.
+/// The series are used below this value, where an alternating sum loses no digits.
 const SERIES_BELOW: f64 = 4.0;
-/// Of so many terms they are: what is left out is below 2⁻²⁴⁰ of the first at [`SERIES_BELOW`], its derivatives too.
+/// The number of terms of the series: the remainder is below 2⁻²⁴⁰ of the first term at [`SERIES_BELOW`], also for derivatives.
 const TERMS: usize = 36;
-/// In numbers of no more digits than doubles so many do, to 2⁻⁶⁰.
+/// The number of terms for numbers with no more digits than doubles: the remainder is below 2⁻⁶⁰.
 const TERMS_OF_DOUBLES: usize = 13;
 
 impl<D: Scalar> Stumpff<D> {
-    /// At θ²: the functions, and the derivatives of c2 and c3 by θ, over θ.
+    /// The functions at θ², and the derivatives of c2 and c3 with respect to θ, divided by θ.
     #[inline]
     pub(super) fn new(square: D) -> (Self, [D; 2]) {
         if square < SERIES_BELOW { Self::small(square) } else { Self::large(square) }

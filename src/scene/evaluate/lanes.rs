@@ -1,11 +1,11 @@
-//! The registers of a block of elements, and how a formula is wired to them.
+//! The registers of a block of elements, and the wiring of a formula to them.
 
 use crate::Scalar;
 use crate::formula::error::Error;
 use nalgebra::Vector3;
 use std::ops::Range;
 
-/// Where in the registers a step finds its inputs and puts its outputs, component by component.
+/// The registers in which a step finds its inputs and stores its outputs, component by component.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Wiring {
     /// A register per input component.
@@ -14,7 +14,7 @@ pub struct Wiring {
     pub(in crate::scene) outputs: Vec<u16>,
 }
 
-/// A run of registers.
+/// A range of consecutive registers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::scene) struct Span {
     pub(in crate::scene) at: usize,
@@ -28,27 +28,27 @@ impl Span {
     }
 }
 
-/// Elements that are evaluated together: few enough for their registers to stay in the first-level cache.
+/// The number of elements that are evaluated together: few enough for their registers to stay in the first-level cache.
 pub(in crate::scene) const LANES: usize = 64;
 
-/// What the elements of a block have in one register.
+/// The values of one register for all elements of a block.
 pub(in crate::scene) type Column<T> = [T; LANES];
 
-/// A block of elements: a column per register. Lanes beyond the last element are not touched.
+/// A block of elements: a column per register. Lanes beyond the last element are not modified.
 #[derive(Debug)]
 pub struct Lanes<'r, T> {
-    /// The registers that last from state to state.
+    /// The registers that persist from state to state.
     pub(in crate::scene) lasting: &'r mut [Column<T>],
-    /// The registers after them, which every block of a task uses in turn.
+    /// The registers after them, which all blocks of a task use in turn.
     pub(in crate::scene) passing: &'r mut [Column<T>],
-    /// The first element, by its place in its group.
+    /// The index of the first element in its group.
     pub(in crate::scene) first: usize,
-    /// How many lanes hold an element.
+    /// The number of lanes that hold an element.
     pub(in crate::scene) count: usize,
 }
 
 impl<T: Scalar> Lanes<'_, T> {
-    /// What all lanes have in these registers.
+    /// The columns of these registers.
     fn columns(&mut self, span: Span) -> &mut [Column<T>] {
         match span.at.checked_sub(self.lasting.len()) {
             Some(at) => &mut self.passing[at..at + span.len],
@@ -56,20 +56,20 @@ impl<T: Scalar> Lanes<'_, T> {
         }
     }
 
-    /// Copies registers that last to others that do not.
+    /// Copies persistent registers to temporary ones.
     pub(in crate::scene) fn copy(&mut self, lasting: Span, passing: Span) {
         let at = passing.at - self.lasting.len();
         self.passing[at..at + passing.len].copy_from_slice(&self.lasting[lasting.range()]);
     }
 
-    /// Fills the registers of a vector, or of its part in the plane, with the same for all lanes.
+    /// Fills the registers of a vector, or of its part in the plane, with the same value for all lanes.
     pub(in crate::scene) fn spread(&mut self, span: Span, vector: Vector3<T>) {
         for (register, &component) in self.columns(span).iter_mut().zip(&vector) {
             *register = [component; LANES];
         }
     }
 
-    /// Fills them with a vector of each lane's node.
+    /// Fills the registers with a vector of each lane's node.
     #[inline]
     pub(in crate::scene) fn fill(&mut self, span: Span, nodes: &Column<u32>, vector: impl Fn(u32) -> Vector3<T>) {
         let count = self.count.min(LANES);
@@ -94,10 +94,10 @@ impl<T: Scalar> Lanes<'_, T> {
 /// A formula that rejected its inputs or overflowed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Failure {
-    /// The element, by its place in its group.
+    /// The index of the element in its group.
     pub element: usize,
     /// The formula.
     pub formula: &'static str,
-    /// What it says.
+    /// The error.
     pub error: Error,
 }

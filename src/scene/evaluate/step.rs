@@ -10,24 +10,24 @@ use crate::{Octuple, Scalar};
 use std::cell::Cell;
 use std::marker::PhantomData;
 
-/// A number in which a plan is evaluated: `f64` for results, [`Octuple`] for their errors.
+/// A number type in which a plan is evaluated: `f64` for results, [`Octuple`] for their errors.
 pub trait Number: Scalar {
-    /// How many blocks of elements make a task that is worth a thread.
+    /// The least number of blocks of elements in a task that is worth a thread.
     const BLOCKS: usize;
-    /// An exact double as this number.
+    /// Converts an exact double to this type.
     fn exactly(x: f64) -> Self;
     /// The nearest double.
     fn rounded(self) -> f64;
-    /// Whether the inputs are valid together; doubles are asked, the exact run trusts the answer.
+    /// Whether the inputs are valid together; this is checked in doubles, and the exact run relies on it.
     ///
     /// # Errors
-    /// What [`Formula::validate`] says.
+    /// The error of [`Formula::validate`].
     fn validate<F: Formula>(i: &F::Inputs<Self>) -> Result<(), Error>;
-    /// Runs a step in this number.
+    /// Runs a step in this number type.
     fn run(step: &dyn Step, wiring: &Wiring, lanes: &mut Lanes<'_, Self>, failures: &mut Vec<Failure>);
 }
 
-/// A [`Formula`] whose type is not known to the compiler, evaluated over registers; every formula is one.
+/// A [`Formula`] whose type is erased, evaluated over registers; every formula is one.
 pub trait Step: Sync {
     /// The identifier.
     fn id(&self) -> &'static str;
@@ -59,7 +59,7 @@ impl<F: Formula> Step for F {
     }
 }
 
-/// A step in `f64`, compiled a second time for processors that have vectors of four doubles. Both give the same bits.
+/// A step in `f64`, compiled a second time for processors with vectors of four doubles. Both versions give the same bits.
 struct Vectors<'j, 'r, F> {
     wiring: &'j Wiring,
     lanes: &'j mut Lanes<'r, f64>,
@@ -75,11 +75,10 @@ impl<F: Formula> pulp::WithSimd for Vectors<'_, '_, F> {
     }
 }
 
-/// Components that a formula has at most, in or out.
+/// The maximum number of components of a formula, in or out.
 const MOST: usize = 32;
 
-/// Evaluates a formula for every lane. Nothing in the loops depends on another lane, so that the compiler may take several
-/// at once.
+/// Evaluates a formula for every lane. The loops have no dependence between lanes, so that the compiler can vectorise them.
 #[inline(always)]
 fn run<F: Formula, T: Number>(wiring: &Wiring, lanes: &mut Lanes<'_, T>, failures: &mut Vec<Failure>) {
     const { assert!(F::Inputs::<f64>::LEN <= MOST && F::Outputs::<f64>::LEN <= MOST) };
@@ -89,13 +88,13 @@ fn run<F: Formula, T: Number>(wiring: &Wiring, lanes: &mut Lanes<'_, T>, failure
         let register = usize::from(register);
         lasting.get(register).unwrap_or_else(|| &passing[register - lasting.len()])
     };
-    // Looked up once a block, so that the loops below know where everything is.
+    // Looked up once per block, so that the loops below have all addresses.
     let mut from = [column(0).as_array_of_cells(); MOST];
     for (place, &register) in from.iter_mut().zip(&wiring.inputs) {
         *place = column(register).as_array_of_cells();
     }
     let count = lanes.count.min(LANES);
-    // Apart from the registers, so that no input waits for an output that might be the same.
+    // Kept separate from the registers, so that no input waits for an output that might be the same.
     let mut outputs = F::Outputs::<Column<T>>::array_of([T::zero(); LANES]);
     let outputs = outputs.as_mut();
     for lane in 0..count {
@@ -110,7 +109,7 @@ fn run<F: Formula, T: Number>(wiring: &Wiring, lanes: &mut Lanes<'_, T>, failure
     }
     for (output, &register) in outputs.iter().zip(&wiring.outputs) {
         sound &= output[..count].iter().fold(true, |sound, &value| sound & is_double(value));
-        // No formula writes what it reads, so the inputs are still there.
+        // No formula writes a register that it reads, so the inputs are still available.
         column(register).set(*output);
     }
     if !sound {
@@ -138,7 +137,7 @@ fn rejected(_: Error) -> bool {
     false
 }
 
-/// What is wrong with these inputs, or with what comes out.
+/// The error of these inputs, or of their results.
 #[cold]
 fn error_of<F: Formula, T: Number>(inputs: &F::Inputs<T>) -> Option<Error> {
     if let Err(error) = T::validate::<F>(inputs) {
@@ -150,7 +149,7 @@ fn error_of<F: Formula, T: Number>(inputs: &F::Inputs<T>) -> Option<Error> {
     Some(Error::Overflow { name: field.name })
 }
 
-/// Neither NaN nor beyond the largest double.
+/// Neither NaN nor larger than the largest double.
 #[inline]
 fn is_double<T: Number>(x: T) -> bool {
     abs(x) <= f64::MAX

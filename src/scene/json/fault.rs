@@ -1,25 +1,25 @@
-//! What is wrong with a scene, and where.
+//! Faults of a scene, and their locations.
 
 use std::fmt;
 
-/// Faults that are listed; what is beyond is only counted.
+/// The maximum number of faults that are listed; further ones are only counted.
 const LISTED: usize = 100;
 
-/// Names that a fault lists.
+/// The maximum number of names in a fault.
 const SHOWN: usize = 8;
 
 /// One mistake in a scene file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fault {
-    /// The JSON path, as `elements."slot 1".mu` or `frames[2].time`; empty for the whole file.
+    /// The JSON path, such as `elements."slot 1".mu` or `frames[2].time`; empty for the whole file.
     pub path: String,
     /// Line in the file, from 1.
     pub line: usize,
     /// Column in characters, from 1.
     pub column: usize,
-    /// What stands there.
+    /// What was found there.
     pub found: String,
-    /// What may stand there.
+    /// What is allowed there.
     pub allowed: String,
 }
 
@@ -31,7 +31,7 @@ impl fmt::Display for Fault {
     }
 }
 
-/// Everything that is wrong with a scene, in the order in which it was found.
+/// All faults of a scene, in the order in which they were found.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Faults {
     list: Vec<Fault>,
@@ -43,19 +43,19 @@ impl Faults {
         self.list.push(fault);
     }
 
-    /// Whether the next fault is worth describing; it is counted if not.
+    /// Whether the next fault will be listed; it is counted if not.
     pub(in crate::scene) fn room(&mut self) -> bool {
         let room = self.list.len() < LISTED;
         self.unlisted += usize::from(!room);
         room
     }
 
-    /// The faults; a hundred at most.
+    /// The faults; at most a hundred.
     pub fn list(&self) -> &[Fault] {
         &self.list
     }
 
-    /// How many there are.
+    /// The number of faults.
     #[expect(clippy::len_without_is_empty, reason = "faults are an error: there is at least one")]
     pub fn len(&self) -> usize {
         self.list.len() + self.unlisted
@@ -80,7 +80,7 @@ impl fmt::Display for Faults {
 
 impl std::error::Error for Faults {}
 
-/// Names as an error lists them: the first ones, and whether there are more.
+/// Names as listed in an error: the first ones, and whether there are more.
 pub(in crate::scene) fn some_of(names: impl Iterator<Item = impl fmt::Debug>) -> String {
     let mut names: Vec<_> = names.take(SHOWN + 1).map(|name| format!("{name:?}")).collect();
     if names.len() > SHOWN {

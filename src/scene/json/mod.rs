@@ -1,8 +1,8 @@
-//! A strict JSON reader that knows where it is.
+//! A strict JSON reader that keeps track of its location.
 //!
-//! It pulls values of the type that the caller expects, so nothing is kept that is not wanted, and nothing recurses: a
-//! scene of any size is read in one pass, and brackets without end meet the depth limit. A value of the wrong type is a
-//! [`Fault`] and is stepped over, so that one run finds all mistakes; text that is not JSON ends the reading.
+//! It reads values of the type that the caller expects, so nothing unwanted is stored, and it does not recurse: a scene of any
+//! size is read in one pass, and unlimited nesting meets the depth limit. A value of the wrong type is a [`Fault`] and is
+//! skipped, so that one run finds all mistakes; text that is not JSON ends the reading.
 
 mod fault;
 mod reader;

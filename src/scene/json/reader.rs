@@ -1,24 +1,24 @@
-//! Where a reader is in the text, and the faults that it has found.
+//! The position of a reader in the text, and the faults that it has found.
 
 use super::fault::{Fault, Faults};
 use crate::formula::error::Error;
 use std::borrow::Cow;
 use std::fmt::Write;
 
-/// Nothing that follows can be judged, as the text is not JSON from here on; the fault is recorded.
+/// Reading ends, as the text is not JSON from here on; the fault has been recorded.
 #[derive(Debug)]
 pub(in crate::scene) struct Stop;
 
 pub(in crate::scene) type Read<T> = Result<T, Stop>;
 
-/// A place in the text with the JSON path to it.
+/// A position in the text with its JSON path.
 #[derive(Clone, Debug)]
 pub(in crate::scene) struct Mark {
     pub(in crate::scene) path: String,
     place: usize,
 }
 
-/// A step of the path to a value.
+/// A component of the path to a value.
 pub(super) enum Segment<'t> {
     Key(Cow<'t, str>),
     Index(usize),
@@ -36,24 +36,24 @@ impl<'t> Reader<'t> {
         Self { text: text.strip_prefix('\u{feff}').unwrap_or(text), at: 0, path: Vec::new(), faults: Faults::default() }
     }
 
-    /// Where the next value begins.
+    /// The position at which the next value begins.
     pub(in crate::scene) fn place(&mut self) -> usize {
         self.blank();
         self.at
     }
 
-    /// Goes to a place that [`place`](Self::place) gave.
+    /// Moves to a position returned by [`place`](Self::place).
     pub(in crate::scene) fn go(&mut self, place: usize) {
         self.at = place;
     }
 
-    /// Whether the next value begins so.
+    /// Whether the next value begins with this byte.
     pub(in crate::scene) fn begins_with(&mut self, byte: u8) -> bool {
         self.blank();
         self.peek() == Some(byte)
     }
 
-    /// Does something below a key of the path.
+    /// Runs a job below a key of the path.
     pub(in crate::scene) fn below<T>(&mut self, key: &'static str, job: impl FnOnce(&mut Self) -> T) -> T {
         self.path.push(Segment::Key(key.into()));
         let result = job(self);
@@ -61,19 +61,19 @@ impl<'t> Reader<'t> {
         result
     }
 
-    /// A place with the path to it, for a fault that shows later.
+    /// A position with its path, for a fault that is found later.
     pub(in crate::scene) fn mark(&self, place: usize) -> Mark {
         Mark { path: self.path(), place }
     }
 
-    /// Records a fault at a place.
+    /// Records a fault at a position.
     pub(in crate::scene) fn fault(&mut self, place: usize, found: impl Into<String>, allowed: impl Into<String>) {
         if self.faults.room() {
             self.record_fault(self.path(), place, found.into(), allowed.into());
         }
     }
 
-    /// Records a fault at a place that was marked.
+    /// Records a fault at a marked position.
     pub(in crate::scene) fn fault_at(&mut self, mark: Mark, found: impl Into<String>, allowed: impl Into<String>) {
         if self.faults.room() {
             self.record_fault(mark.path, mark.place, found.into(), allowed.into());
@@ -87,7 +87,7 @@ impl<'t> Reader<'t> {
         self.faults.push(Fault { path, line, column, found, allowed });
     }
 
-    /// The JSON path to where the reader is.
+    /// The JSON path of the current value.
     fn path(&self) -> String {
         let mut path = String::new();
         for segment in &self.path {
@@ -103,7 +103,7 @@ impl<'t> Reader<'t> {
         path
     }
 
-    /// Records what a typed constructor says.
+    /// Records the error of a typed constructor.
     pub(in crate::scene) fn reject(&mut self, place: usize, error: &Error) {
         self.fault(place, error.found(), error.allowed());
     }
@@ -135,7 +135,7 @@ impl<'t> Reader<'t> {
     }
 }
 
-/// A value as it stands in the file, shortened.
+/// A value as written in the file, shortened.
 pub(super) fn excerpt(value: &str) -> String {
     const SHOWN: usize = 40;
     match value.char_indices().nth(SHOWN) {

@@ -1,13 +1,13 @@
-//! The tokens of JSON, and stepping over values.
+//! The tokens of JSON, and the skipping of values.
 
 use super::reader::{Read, Reader, Stop, excerpt};
 use std::borrow::Cow;
 
-/// How deep a value may be nested; a scene needs 5.
+/// The maximum nesting depth of a value; a scene needs 5.
 const DEPTH: usize = 32;
 
 impl<'t> Reader<'t> {
-    /// Steps over any value, without recursion.
+    /// Skips any value, without recursion.
     pub(in crate::scene) fn skip(&mut self) -> Read<()> {
         let mut open: Vec<u8> = Vec::new();
         loop {
@@ -19,7 +19,7 @@ impl<'t> Reader<'t> {
                         return Err(Stop);
                     }
                     self.at += 1;
-                    // An ASCII bracket and the one that closes it are two apart.
+                    // The codes of an ASCII bracket and of its closing bracket differ by two.
                     open.push(bracket + 2);
                     self.blank();
                     if self.peek() != open.last().copied() {
@@ -30,7 +30,7 @@ impl<'t> Reader<'t> {
                 Some(b'"') => drop(self.quoted()?),
                 _ => self.plain()?,
             }
-            // A value is over; so may be what it is in.
+            // A value has ended; the enclosing values may end as well.
             while let Some(&close) = open.last() {
                 if self.take(b',') {
                     self.name_in(&open)?;
@@ -47,7 +47,7 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// Steps over the name of the next member if the innermost bracket is a brace.
+    /// Skips the name of the next member if the innermost bracket is a brace.
     fn name_in(&mut self, open: &[u8]) -> Read<()> {
         if open.last() != Some(&b'}') {
             return Ok(());
@@ -60,7 +60,7 @@ impl<'t> Reader<'t> {
         if self.take(b':') { Ok(()) } else { self.stop("a colon") }
     }
 
-    /// Steps over a number, `true`, `false` or `null`.
+    /// Skips a number, `true`, `false` or `null`.
     fn plain(&mut self) -> Read<()> {
         for word in ["true", "false", "null"] {
             if self.text[self.at..].starts_with(word) {
@@ -71,7 +71,7 @@ impl<'t> Reader<'t> {
         if self.numeral()?.is_some() { Ok(()) } else { self.stop("a JSON value") }
     }
 
-    /// A number as JSON writes it: −, digits without leading zeros, fraction, exponent.
+    /// A number in JSON notation: −, digits without leading zeros, fraction, exponent.
     pub(super) fn numeral(&mut self) -> Read<Option<f64>> {
         self.blank();
         let start = self.at;
@@ -111,7 +111,7 @@ impl<'t> Reader<'t> {
         self.at - start
     }
 
-    /// A string, whose opening quote is next. What is between the quotes is decoded by `serde_json`.
+    /// A string, whose opening quote is next. The text between the quotes is decoded by `serde_json`.
     pub(super) fn quoted(&mut self) -> Read<Cow<'t, str>> {
         let start = self.at;
         let mut has_escapes = false;
@@ -119,7 +119,7 @@ impl<'t> Reader<'t> {
         loop {
             match self.peek() {
                 Some(b'"') => break,
-                // Whatever it stands for, a quote behind it closes nothing.
+                // Whatever the escape means, a quote after it does not close the string.
                 Some(b'\\') => {
                     has_escapes = true;
                     self.at += if self.at + 1 < self.text.len() { 2 } else { 1 };
@@ -145,7 +145,7 @@ impl<'t> Reader<'t> {
 mod tests {
     use super::*;
 
-    /// Where the reading of a value stops, and what is allowed there; `None` where the value is whole.
+    /// The position at which the reading of a value stops, and what is allowed there; `None` if the value is complete.
     fn stops<'t>(text: &'t str, read: impl Fn(&mut Reader<'t>) -> Read<()>) -> Option<(usize, usize, String)> {
         let mut reader = Reader::new(text);
         let stopped = read(&mut reader).is_err();

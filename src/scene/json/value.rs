@@ -1,4 +1,4 @@
-//! Values of the type that is expected, or a fault that says what stands there instead.
+//! Values of the expected type, or a fault that reports what was found instead.
 
 use super::reader::{Read, Reader, Segment, excerpt};
 use crate::formula::error::Error;
@@ -7,7 +7,7 @@ use std::borrow::Cow;
 use std::fmt::Display;
 
 impl<'t> Reader<'t> {
-    /// Steps over a value of the wrong type and says so.
+    /// Skips a value of the wrong type and records the fault.
     fn mistyped(&mut self, allowed: impl Display) -> Read<()> {
         let place = self.place();
         let found = match self.peek() {
@@ -21,7 +21,7 @@ impl<'t> Reader<'t> {
         Ok(())
     }
 
-    /// The members of an object, each with the place of its key; `false` if it is something else.
+    /// The members of an object, each with the position of its key; `false` if it is something else.
     pub(in crate::scene) fn object(
         &mut self,
         allowed: impl Display,
@@ -62,7 +62,7 @@ impl<'t> Reader<'t> {
         names: &[&str],
         mut member: impl FnMut(&mut Self, usize) -> Read<()>,
     ) -> Read<bool> {
-        // No object has as many names as there are bits.
+        // No object has more names than there are bits.
         let mut seen = 0_u64;
         self.object("an object", |reader, key, place| match names.iter().position(|&name| name == key) {
             None => {
@@ -117,7 +117,7 @@ impl<'t> Reader<'t> {
         self.mistyped(allowed).map(|()| None)
     }
 
-    /// A number of a domain.
+    /// A number in a domain.
     pub(in crate::scene) fn number(&mut self, domain: Domain) -> Read<Option<f64>> {
         let place = self.place();
         let Some(number) = self.numeral()? else {

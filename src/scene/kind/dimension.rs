@@ -1,6 +1,6 @@
-//! The space that a scene lives in.
+//! The dimension of a scene.
 
-/// The space that a scene lives in.
+/// The dimension of a scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Dimension {
     /// Space, `3d`.
@@ -24,7 +24,7 @@ impl Dimension {
         }
     }
 
-    /// Coordinates of a node.
+    /// The number of coordinates of a node.
     pub const fn coordinates(self) -> usize {
         if matches!(self, Self::Space) { 3 } else { 2 }
     }

@@ -1,7 +1,7 @@
 //! ISL21A and ISL22A, the axisymmetric elements that slide on a slide line.
 //!
-//! The formulas stand here for what they compute; which of them a node needs depends on where it is on its line, so that
-//! [`isl`](crate::contact::isl) evaluates them, not the plan's registers.
+//! The formulas are listed here for the quantities they compute; which of them a node needs depends on its position on the line,
+//! so that they are evaluated by [`isl`](crate::contact::isl), not in the plan's registers.
 
 use super::dimension::Dimension;
 use super::table::{Kind, Use, always, renamed};
@@ -48,7 +48,7 @@ const SMOOTHED_FOOT: &[(&str, &str)] = &[("t", "coordinate"), ("separation", "e1
 const SLIP: &[(&str, &str)] = &[("dslip", "e12")];
 const PRESSURE: &[(&str, &str)] = &[("p", "s11")];
 
-/// What every element on a slide line has: contact of its nodes.
+/// The formulas of contact, which every element on a slide line has at its nodes.
 const CONTACT: &[Use] = &[
     renamed(&slide_line::ClosestLinear, FOOT),
     renamed(&slide_line::ClosestSmoothedLinear, SMOOTHED_FOOT),

@@ -1,8 +1,8 @@
-//! The kinds of elements: what each is given, which formulas it has, and which outputs by which names.
+//! The kinds of elements: the given quantities of each, its formulas, and its outputs with their names.
 //!
-//! The tables say only what nothing else says. Formulas are wired by the names of their fields: an input `x` is read from
-//! the output `x` of another formula, or from what the element is given by that name. What a name means, its unit and its
-//! allowed values stand with the field's [`Quantity`](crate::formula::quantity::Quantity).
+//! The tables contain only what is not defined elsewhere. Formulas are wired by the names of their fields: an input `x` is read
+//! from the output `x` of another formula, or from a given quantity of the element with that name. The meaning of a name, its
+//! unit and its allowed values are defined by the field's [`Quantity`](crate::formula::quantity::Quantity).
 
 mod check;
 mod dimension;

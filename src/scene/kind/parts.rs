@@ -1,4 +1,4 @@
-//! ALIGN, JOIN and UNIVERSAL by themselves: what TRANSLATOR and UJOINT are made of.
+//! ALIGN, JOIN and UNIVERSAL on their own: the parts of TRANSLATOR and UJOINT.
 
 use super::dimension::Dimension;
 use super::shared::{FORCES, Given, MOMENTS, NODES, SECOND_TRIAD};
@@ -11,7 +11,7 @@ use crate::scene::rules::{Alignment, Bearing, Follow, Joining, TurnedBack, Turns
 use Fallback::As;
 use Origin::{Before, Initial, Parameter, Zero};
 
-/// The angles where the analysis begins.
+/// The angles in the initial configuration.
 pub(super) const ALIGNED: &[Given] = &[
     ("alpha0", Initial("alpha")),
     ("beta0", Initial("beta")),
@@ -20,14 +20,14 @@ pub(super) const ALIGNED: &[Given] = &[
     ("r20", Initial("r2")),
     ("r30", Initial("r3")),
 ];
-/// The triads as the angles since the start see them.
+/// The triads from which the angles since the start are computed.
 const SINCE: &[(&str, &str)] = &[
     ("e1b", "q1"),
     ("e2b", "q2"),
     ("e3b", "q3"),
     ("alpha", "urs1"),
     ("gamma", "urs3"),
-    // That of the arc sine is not used.
+    // β by the arc sine is not used.
     ("beta", "no_beta"),
 ];
 const SINCE_2: &[(&str, &str)] = &[("e1b", "q1"), ("e2b", "q2"), ("e3b", "q3"), ("beta", "urs2")];
@@ -40,7 +40,7 @@ pub(super) const ALIGNING: &[Use] = &[
     renamed(&BetaTwoArgument, SINCE_2),
     renamed(&align::ConstraintMoment, &[("m", "rm")]),
 ];
-/// What angles since the start are called, in every kind that has them.
+/// The angles since the start, in every kind that has them.
 pub(super) const URS1: Quantity =
     scalar(r"u_{r1}", Unit::ONE, Domain::Angle, "first Cardan angle by which b has turned against a since the start");
 pub(super) const URS2: Quantity =
@@ -62,7 +62,7 @@ pub(super) const ALIGN: Kind = Kind {
     outputs: &[&[("ALPHA", "alpha"), ("BETA", "beta"), ("GAMMA", "gamma")], TURNED, MOMENT],
 };
 
-/// Where b is initially is what the residual is where nothing is taken off.
+/// The initial position of b is the residual with nothing subtracted.
 pub(super) const JOINED: &[Given] = &[("no_vector", Zero), ("d0", Initial("d"))];
 pub(super) const JOINING: &[Use] = &[
     always(&join::Constraint),
@@ -81,7 +81,7 @@ pub(super) const JOIN: Kind = Kind {
     ..ALIGN
 };
 
-/// What a cross is given: how it stands initially, and how far it was turned before.
+/// The given quantities of a cross: its initial orientation, and its rotations in the last state.
 pub(super) const CROSSED: &[Given] = &[
     ("no_number", Zero),
     ("c0", Initial("c")),
@@ -92,7 +92,7 @@ pub(super) const CROSSED: &[Given] = &[
     ("theta1_ref", Parameter(As("alpha0"))),
     ("theta3_ref", Parameter(As("gamma0"))),
 ];
-/// Angles are read off from −π to π, and followed from state to state.
+/// Angles are computed from −π to π, and followed from state to state.
 pub(super) const CROSSING: &[Use] = &[
     renamed(&universal::Constraint, &[("g", "g_rot")]),
     renamed(&universal::Constraint, &[("c0", "no_number"), ("g", "c")]),

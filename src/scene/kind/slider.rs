@@ -1,4 +1,4 @@
-//! SLIDER, in space, in the plane and in that of radius and axis.
+//! SLIDER, in space, in the plane and in the plane of radius and axis.
 
 use super::dimension::Dimension;
 use super::table::{Kind, Origin, always};
@@ -44,7 +44,7 @@ pub(super) const SLIDER: Kind = Kind {
     ]],
 };
 
-/// The line is that of space: positions have a third coordinate, which is 0.
+/// The line is the formula of space: positions have a third coordinate, which is 0.
 pub(super) const SLIDER_2D: Kind = Kind {
     dimension: Dimension::Plane,
     formulas: &[&[

@@ -9,10 +9,10 @@ use super::table::{Kind, Origin, Use, always};
 use crate::connector::slot;
 use Origin::Zero;
 
-/// Where b is along a slot, in every connector with one.
+/// The position of b along a slot, for every connector with one.
 pub(super) const ALONG: &[Use] =
     &[always(&slot::RelativePosition), always(&slot::RelativeMotion), CONSTRAINT_FORCE, STOP[0], STOP[1], STOP[2]];
-/// Friction along it.
+/// The friction along a slot.
 pub(super) const RUBBING: &[Use] = &[
     KINETIC_FORCE[0],
     KINETIC_FORCE[1],
@@ -28,7 +28,7 @@ pub(super) const RUBBING: &[Use] = &[
 
 pub(super) type Outputs = &'static [(&'static str, &'static str)];
 
-/// What of a slot is shown, in every connector with one; third coordinates only in space.
+/// The outputs of a slot, for every connector with one; third coordinates only in space.
 pub(super) const PLACE: Outputs = &[("X", "x"), ("Y", "y")];
 pub(super) const PLACE_3: Outputs = &[("Z", "z")];
 pub(super) const MOVED: Outputs = &[("U1", "u1"), ("U1MAT", "u1_mat"), ("GY", "gy")];

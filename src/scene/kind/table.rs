@@ -1,4 +1,4 @@
-//! What a table of a kind says.
+//! The contents of a kind's table.
 
 use super::check::check_renamed;
 use super::dimension::Dimension;
@@ -6,12 +6,12 @@ use crate::formula::quantity::{Domain, Quantity};
 use crate::formula::{Field, Fields, Formula};
 use crate::scene::evaluate::Step;
 
-/// Where a register gets its value from, if no formula computes it.
+/// The source of a register's value, if no formula computes it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Origin {
-    /// The current position of a node, by its place in the element's list.
+    /// The current position of a node, by its index in the element's list.
     Position(usize),
-    /// By how much that position changed since the last state.
+    /// The change of that position since the last state.
     Increment(usize),
     /// A vector of a node's triad in its current orientation: node, axis from 0.
     Axis(usize, usize),
@@ -21,16 +21,16 @@ pub enum Origin {
     Before(&'static str),
     /// A parameter of the element.
     Parameter(Fallback),
-    /// A force or moment of the element, given by the frames; 0 until given.
+    /// A force or moment of the element, from the frames; 0 until given.
     Load,
-    /// Zero: what this dimension does not have.
+    /// Zero: a quantity that does not exist in this dimension.
     Zero,
 }
 
-/// What a parameter is where a scene does not give it.
+/// The value of a parameter that a scene does not give.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Fallback {
-    /// It must be given, if an output needs it.
+    /// It must be given if an output needs it.
     Required,
     /// A number.
     Number(f64),
@@ -58,18 +58,18 @@ impl Fallback {
     }
 }
 
-/// When a formula is the one to take.
+/// The condition under which a formula is used.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum When {
     /// Always.
     Always,
-    /// Only where all these parameters are 0, which switches their terms off.
+    /// Only if all these parameters are 0, which switches their terms off.
     AllZero(&'static [&'static str]),
-    /// Only where one of these parameters is not 0.
+    /// Only if one of these parameters is not 0.
     NotAllZero(&'static [&'static str]),
-    /// Only where all these parameters are given.
+    /// Only if all these parameters are given.
     AllGiven(&'static [&'static str]),
-    /// Only where one of these parameters is not given.
+    /// Only if one of these parameters is not given.
     NotAllGiven(&'static [&'static str]),
 }
 
@@ -110,7 +110,7 @@ impl Use {
         self.step.id()
     }
 
-    /// Taken only in some cases.
+    /// The same formula, used only under a condition.
     pub(in crate::scene) const fn when(self, when: When) -> Self {
         Self { when, ..self }
     }
@@ -135,29 +135,30 @@ impl Use {
 pub struct Kind {
     /// The name in scene files.
     pub name: &'static str,
-    /// Where it can be used.
+    /// The dimension in which it can be used.
     pub dimension: Dimension,
     /// Its nodes, by their roles.
     pub nodes: &'static [&'static str],
-    /// Registers that no formula computes, and where they come from; in groups, some of which several kinds have.
+    /// Registers that no formula computes, with their sources; in groups, some of which are shared by several kinds.
     pub given: &'static [&'static [(&'static str, Origin)]],
-    /// Parameters of which the first must not be above the second.
+    /// Pairs of parameters of which the first must not exceed the second.
     pub ordered: &'static [(&'static str, &'static str)],
-    /// Its formulas, of which one at a time computes a register; in groups, some of which several kinds have.
+    /// Its formulas, of which only one at a time computes a register; in groups, some of which are shared by several kinds.
     pub formulas: &'static [&'static [Use]],
-    /// Registers that hold something else here than the fields of their formulas say.
+    /// Registers whose meaning differs from that of the fields of their formulas.
     pub meanings: &'static [(&'static str, &'static Quantity)],
-    /// Its outputs: the name in scene files, and the register that is shown; in groups, some of which several kinds have.
+    /// Its outputs: the name in scene files, and the register that is shown; in groups, some of which are shared by several
+    /// kinds.
     pub outputs: &'static [&'static [(&'static str, &'static str)]],
 }
 
 impl Kind {
-    /// The registers that no formula computes, and where they come from.
+    /// The registers that no formula computes, with their sources.
     fn registers(&self) -> impl Iterator<Item = (&'static str, Origin)> + use<> {
         self.given.iter().copied().flatten().copied()
     }
 
-    /// Its formulas, of which one at a time computes a register.
+    /// Its formulas, of which only one at a time computes a register.
     pub fn formulas(&self) -> impl Iterator<Item = &'static Use> + use<> {
         self.formulas.iter().copied().flatten()
     }
@@ -167,12 +168,12 @@ impl Kind {
         self.outputs.iter().copied().flatten().copied()
     }
 
-    /// Where registers come from that no formula computes.
+    /// The sources of the registers that no formula computes.
     pub(in crate::scene) fn origins(&self) -> impl Iterator<Item = Origin> + use<> {
         self.registers().map(|(_, origin)| origin)
     }
 
-    /// Where a register comes from, if no formula computes it.
+    /// The source of a register, if no formula computes it.
     pub fn given(&self, register: &str) -> Option<Origin> {
         self.registers().find(|(name, _)| *name == register).map(|(_, from)| from)
     }
@@ -183,18 +184,18 @@ impl Kind {
         writes.or_else(|| self.formulas().find_map(|formula| formula.reads(register)))
     }
 
-    /// What a register holds.
+    /// The quantity in a register.
     pub fn quantity(&self, register: &str) -> Option<&'static Quantity> {
         let meaning = self.meanings.iter().find(|(name, _)| *name == register).map(|(_, quantity)| *quantity);
         meaning.or_else(|| self.field(register).map(|field| field.quantity))
     }
 
-    /// What a register of this kind is, in words.
+    /// The meaning of a register of this kind, in words.
     pub(in crate::scene) fn meaning(&self, register: &str) -> &'static str {
         self.quantity(register).expect("a formula reads every register that is given").meaning
     }
 
-    /// The values that a register of this kind may be given.
+    /// The allowed values of a given register of this kind.
     pub(in crate::scene) fn domain(&self, register: &str) -> Domain {
         self.quantity(register).expect("a formula reads every register that is given").domain
     }
@@ -217,7 +218,7 @@ impl Kind {
         self.formulas().filter(move |formula| formula.writes(register).is_some())
     }
 
-    /// A bit per parameter on which the choice of a formula depends.
+    /// One bit per parameter, set if the choice of a formula depends on it.
     pub(in crate::scene) fn switches(&self) -> u64 {
         let decides = |name: &str| {
             self.formulas().any(|formula| match formula.when {
@@ -228,12 +229,12 @@ impl Kind {
         self.parameters().enumerate().fold(0, |bits, (bit, (name, _))| bits | u64::from(decides(name)) << bit)
     }
 
-    /// Whether it slides on a slide line. Such a kind is given nothing that formulas read from registers.
+    /// Whether it slides on a slide line. Such a kind has no given registers.
     pub fn slides(&self) -> bool {
         self.given.is_empty()
     }
 
-    /// The register behind an output.
+    /// The register of an output.
     pub fn output(&self, name: &str) -> Option<&'static str> {
         self.outputs().find(|(output, _)| *output == name).map(|(_, register)| register)
     }
@@ -249,7 +250,7 @@ impl std::fmt::Debug for Kind {
 mod tests {
     use super::*;
 
-    /// The parameters of a kind that have a bit.
+    /// The parameters of a kind whose bits are set.
     fn switches(kind: &str, dimension: Dimension) -> Vec<&'static str> {
         let kind = Kind::find(kind, dimension).unwrap();
         let switches = kind.switches();

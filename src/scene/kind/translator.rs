@@ -9,7 +9,7 @@ use crate::connector::{slot, translator};
 use Fallback::Number;
 use Origin::Parameter;
 
-/// The levers of a TRANSLATOR's moments; where both are 0, its friction is that of the SLOT.
+/// The levers of a TRANSLATOR's moments; if both are 0, its friction is that of the SLOT.
 const LEVERS: &[&str] = &["rr", "l"];
 
 pub(super) const TRANSLATOR: Kind = Kind {

@@ -13,7 +13,7 @@ use crate::scene::rules::{Accumulated, Increment, Kinetic, TURN_STICK, Traction,
 use Fallback::{Number, Required};
 use Origin::{Before, Parameter, Zero};
 
-/// What friction about an axis is called in the formulas that all connectors share, and here: the first axis, the third.
+/// The names of friction about an axis in the formulas that all connectors share, and here: for the first axis and the third.
 const TURN: [&[(&str, &str)]; 2] = [
     &[("u1", "ur1"), ("u1_before", "ur1_before"), ("du", "dur1")],
     &[("u1", "ur3"), ("u1_before", "ur3_before"), ("du", "dur3")],
@@ -55,7 +55,7 @@ const TOTAL1: Quantity = scalar(r"s_1", Unit::ONE, Domain::NonNegative, "accumul
 const TOTAL3: Quantity = scalar(r"s_3", Unit::ONE, Domain::NonNegative, "accumulated slip about e3b, never falling");
 
 const STOPS: &[&str] = &["theta1_min", "theta1_max", "theta3_min", "theta3_max"];
-/// One stop, which stands for the other of its angle too; the other angle's are 0.
+/// One stop, which also replaces the other stop of its angle; those of the other angle are 0.
 const fn one_stop(names: &'static [(&'static str, &'static str)]) -> Use {
     renamed(&ujoint::Stop, names).when(When::NotAllGiven(STOPS))
 }
@@ -106,7 +106,7 @@ const KINETIC: &[Use] = &[
     renamed(&Kinetic, &[("f_load", "m3"), ("csf", "csm3"), ("f_kinetic", "m3_kinetic")]),
     renamed(&universal::KineticMoment, &[("m1", "m1_kinetic"), ("m3", "m3_kinetic"), ("m", "km")]).when(WITH_FRICTION),
 ];
-/// What the hinges of the cross carry.
+/// The loads of the hinges of the cross.
 const HINGES: &[Use] = &[
     always(&ujoint::Reaction),
     always(&ujoint::Decomposition),

@@ -1,20 +1,20 @@
-//! An element, or a set of elements of one kind, as it was given.
+//! An element, or a set of elements of one kind, as given in the file.
 
 use super::named::Members;
 use crate::scene::kind::Kind;
 use arrayvec::ArrayVec;
 
-/// An element with what it was given, or a set of them.
+/// An element with its given data, or a set of elements.
 #[derive(Clone, Debug)]
 pub(in crate::scene) struct SceneElement {
     pub(in crate::scene) kind: &'static Kind,
-    /// The nodes of each role: one for all members, or as many as there are members.
+    /// The nodes of each role: one for all members, or one for each member.
     pub(in crate::scene) nodes: ArrayVec<Members, 3>,
-    /// The line that it slides on, by its place in the scene.
+    /// The index in the scene of the line on which it slides.
     pub(in crate::scene) line: Option<u32>,
     /// In the order of [`Kind::parameters`].
     pub(in crate::scene) parameters: Box<[Parameter]>,
-    /// A bit per output of the kind.
+    /// One bit per output of the kind.
     pub(in crate::scene) outputs: u64,
 }
 
@@ -22,14 +22,14 @@ pub(in crate::scene) struct SceneElement {
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::scene) enum Parameter {
     Absent,
-    /// For every member.
+    /// One number for every member.
     One(f64),
-    /// For each.
+    /// One number for each member.
     Each(Box<[f64]>),
 }
 
 impl Parameter {
-    /// The number of a member of the set, if there is one.
+    /// The number for a member of the set, if there is one.
     #[inline]
     pub(in crate::scene) fn of(&self, member: u32) -> Option<f64> {
         match self {
@@ -41,7 +41,7 @@ impl Parameter {
 }
 
 impl SceneElement {
-    /// How many of a set nodes stand for; `None` of what is no set.
+    /// The number of elements in the set defined by these nodes; `None` if it is not a set.
     pub(in crate::scene) fn count(nodes: &[Members]) -> Option<u32> {
         nodes.iter().find_map(Members::count)
     }

@@ -1,10 +1,10 @@
-//! A state of a history: what changes from the state before.
+//! A state of a history: the changes from the previous state.
 
 use super::named::Members;
 use std::ops::Range;
 use std::sync::Arc;
 
-/// A state: what changes from the state before. What is not mentioned stays.
+/// A state: the changes from the previous state. Everything else remains unchanged.
 #[derive(Clone, Debug, Default)]
 pub(in crate::scene) struct Frame {
     pub(in crate::scene) time: f64,
@@ -18,18 +18,18 @@ pub(in crate::scene) struct Frame {
     pub(in crate::scene) pressures: Changes<f64>,
 }
 
-/// What changes from state to state.
+/// The quantities that change from state to state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(in crate::scene) enum Quantity {
     Moves,
     Turns,
     Pressures,
-    /// By the place of the load in its kind.
+    /// A load, by its index in its kind.
     Loads(usize),
 }
 
 impl Quantity {
-    /// Its place among all.
+    /// Its index among all quantities.
     pub(in crate::scene) fn place(self) -> usize {
         match self {
             Self::Moves => 0,
@@ -41,7 +41,7 @@ impl Quantity {
 }
 
 impl Frame {
-    /// Which nodes or elements change.
+    /// The nodes or elements that change.
     pub(super) fn of_mut(&mut self, quantity: Quantity) -> &mut Arc<[u32]> {
         match quantity {
             Quantity::Moves => &mut self.moves.of,
@@ -51,7 +51,7 @@ impl Frame {
         }
     }
 
-    /// A load, by its place in its kind.
+    /// A load, by its index in its kind.
     fn load_mut(&mut self, load: usize) -> &mut Changes<f64> {
         if self.loads.len() <= load {
             self.loads.resize_with(load + 1, Changes::default);
@@ -66,14 +66,14 @@ impl Frame {
         Self { time: *time, moves: moves.zeroed(), turns: turns.zeroed(), loads, pressures: pressures.zeroed() }
     }
 
-    /// Bytes of all values.
+    /// The number of bytes of all values.
     pub(in crate::scene) fn bytes(&self) -> usize {
         let Self { moves, turns, loads, pressures, .. } = self;
         let vectors = size_of_val(&*moves.to) + size_of_val(&*turns.to);
         vectors + loads.iter().chain([pressures]).map(|changes| size_of_val(&*changes.to)).sum::<usize>()
     }
 
-    /// The numbers of all values, for each [`Quantity`] by its place, and how many there are in a value.
+    /// The numbers of all values, for each [`Quantity`] by its index, and the count of numbers in a value.
     pub(in crate::scene) fn numbers_mut(&mut self) -> impl Iterator<Item = (&mut [f64], usize)> {
         let Self { moves, turns, loads, pressures, .. } = self;
         let vectors = [moves, turns].map(|changes| (changes.to.as_flattened_mut(), 3));
@@ -82,10 +82,10 @@ impl Frame {
     }
 }
 
-/// New values of some nodes or elements: which they are, each once and in their order, and beside it their values.
+/// New values of some nodes or elements: their numbers, each once and in ascending order, and their values.
 #[derive(Clone, Debug)]
 pub(in crate::scene) struct Changes<V> {
-    /// States that change the same share it.
+    /// States that change the same nodes or elements share it.
     pub(in crate::scene) of: Arc<[u32]>,
     pub(in crate::scene) to: Vec<V>,
 }
@@ -104,17 +104,17 @@ impl<V: bytemuck::Zeroable + Clone> Changes<V> {
 }
 
 impl<V: Copy> Changes<V> {
-    /// The changes at these places.
+    /// The changes at these indices.
     pub(in crate::scene) fn iter(&self, places: Range<usize>) -> impl Iterator<Item = (u32, V)> {
         self.of[places.clone()].iter().copied().zip(self.to[places].iter().copied())
     }
 
-    /// The first place, from this one on, whose node or element is this one or a later one.
+    /// The first index, not before `from`, whose node or element is this one or a later one.
     pub(in crate::scene) fn place(&self, from: usize, of: u32) -> usize {
         from + self.of[from..].partition_point(|&other| other < of)
     }
 
-    /// The value of one.
+    /// The value of one node or element.
     pub(in crate::scene) fn get(&self, of: u32) -> Option<V> {
         let place = self.place(0, of);
         (self.of.get(place) == Some(&of)).then(|| self.to[place])
@@ -135,13 +135,13 @@ impl<V> Default for Unsorted<V> {
 }
 
 impl<V: Copy> Unsorted<V> {
-    /// Adds nodes or elements with the new value of all.
+    /// Adds nodes or elements with one new value for all.
     pub(in crate::scene) fn push_all(&mut self, of: Members, to: V) {
         self.of.extend(of.numbers());
         self.to.resize(self.of.len(), to);
     }
 
-    /// By the node or element that changes.
+    /// The changes sorted by node or element.
     pub(in crate::scene) fn sorted(self) -> Changes<V> {
         let Self { mut of, mut to } = self;
         if !of.is_sorted() {

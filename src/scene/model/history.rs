@@ -1,4 +1,4 @@
-//! The history of a scene: its states one by one, or in columns.
+//! The history of a scene: its states one by one, or as columns.
 
 use super::frame::{Frame, Quantity};
 use super::named::Members;
@@ -7,7 +7,7 @@ use crate::scene::npz::{Archive, Array, PIECE, Unfit};
 use indexmap::IndexMap;
 use std::sync::Arc;
 
-/// What changes from state to state.
+/// The changes from state to state.
 #[derive(Clone, Debug)]
 pub(in crate::scene) enum History {
     Frames(Vec<Frame>),
@@ -15,7 +15,7 @@ pub(in crate::scene) enum History {
 }
 
 impl History {
-    /// How many states there are.
+    /// The number of states.
     pub(in crate::scene) fn len(&self) -> usize {
         match self {
             Self::Frames(frames) => frames.len(),
@@ -31,7 +31,7 @@ impl History {
         }
     }
 
-    /// Frames that mention everything that changes in some state.
+    /// Frames that mention everything that changes in any state.
     pub(in crate::scene) fn mentions(&self) -> &[Frame] {
         match self {
             Self::Frames(frames) => frames,
@@ -40,17 +40,17 @@ impl History {
     }
 }
 
-/// A history of which every value is an array of a file. The values stay there, so memory does not grow with the states.
+/// A history in which every value is an array in a file. The values stay there, so memory does not grow with the states.
 #[derive(Clone, Debug)]
 pub(in crate::scene) struct HistoryColumns {
     pub(in crate::scene) file: Arc<Archive>,
     pub(in crate::scene) times: Vec<f64>,
     pub(in crate::scene) columns: Vec<HistoryColumn>,
-    /// What every state changes, without values.
+    /// The nodes and elements that every state changes, without values.
     pub(in crate::scene) changed: Frame,
 }
 
-/// An array of which the first axis are the states; its next are the nodes or elements of a set, and components.
+/// An array whose first axis is the states, followed by the nodes or elements of a set, and the components.
 #[derive(Clone, Debug)]
 pub(in crate::scene) struct HistoryColumn {
     /// Its name, and the JSON path to it.
@@ -58,29 +58,29 @@ pub(in crate::scene) struct HistoryColumn {
     pub(in crate::scene) path: String,
     pub(in crate::scene) quantity: Quantity,
     pub(in crate::scene) domain: Domain,
-    /// The components of a value that it gives.
+    /// The components of a value that it provides.
     pub(in crate::scene) components: Components,
     pub(in crate::scene) of: Members,
     pub(in crate::scene) places: Places,
 }
 
-/// Components that stand next to each other in a value.
+/// Consecutive components of a value.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::scene) struct Components {
     pub(in crate::scene) first: usize,
     pub(in crate::scene) count: usize,
 }
 
-/// The places that members have among all that change.
+/// The indices of the members among all that change.
 #[derive(Clone, Debug)]
 pub(in crate::scene) enum Places {
-    /// Next to each other, from this one on.
+    /// Consecutive, starting with this one.
     From(usize),
     Each(Box<[usize]>),
 }
 
 impl HistoryColumns {
-    /// Columns of a file, each of them of other nodes or elements than the others of its quantity.
+    /// Columns of a file; within a quantity, no two of them have the same nodes or elements.
     pub(in crate::scene) fn new(file: Arc<Archive>, times: Vec<f64>, mut columns: Vec<HistoryColumn>) -> Self {
         let mut changed = Frame::default();
         let mut numbers: IndexMap<_, Vec<u32>> = IndexMap::new();
@@ -99,7 +99,7 @@ impl HistoryColumns {
 }
 
 impl Places {
-    /// The places of members among these, which are in order.
+    /// The indices of members in this sorted list.
     fn new(members: Members, among: &[u32]) -> Self {
         let place = |number| among.partition_point(|&other| other < number);
         let (first, last) = (members.number(0), members.number(members.len() - 1));
@@ -110,7 +110,7 @@ impl Places {
         Self::Each(members.numbers().map(place).collect())
     }
 
-    /// The place of a member, counted from 0.
+    /// The index of a member, counted from 0.
     pub(in crate::scene) fn of(&self, member: usize) -> usize {
         match self {
             Self::From(first) => first + member,
@@ -119,19 +119,19 @@ impl Places {
     }
 }
 
-/// A column that is being read, state by state.
+/// A column being read, state by state.
 #[derive(Debug)]
 pub(in crate::scene) struct OpenColumn<'s> {
     pub(in crate::scene) column: &'s HistoryColumn,
     array: Array<'s>,
-    /// How many states are left.
+    /// The number of states left.
     left: usize,
-    /// Room for some members, few enough to stay in the cache.
+    /// A buffer for some members, small enough to stay in the cache.
     piece: Vec<f64>,
 }
 
 impl<'s> OpenColumn<'s> {
-    /// Opens the array of a history of so many states and checks its shape.
+    /// Opens the array of a history with this number of states and checks its shape.
     pub(in crate::scene) fn new(column: &'s HistoryColumn, file: &'s Archive, states: usize) -> Result<Self, Unfit> {
         let array = file.array(&column.array)?;
         let Components { count: components, .. } = column.components;
@@ -143,13 +143,13 @@ impl<'s> OpenColumn<'s> {
         Ok(Self { column, array, left: states, piece })
     }
 
-    /// Reads the next state to where its values stand, one behind the other.
+    /// Reads the next state into its values, which are contiguous.
     pub(in crate::scene) fn advance_to(&mut self, values: &mut [f64]) -> Result<(), Unfit> {
         self.array.fill(values, self.column.domain)?;
         self.end_state()
     }
 
-    /// Reads the next state, piece by piece; `take` is told the place of the first member of each.
+    /// Reads the next state, piece by piece; `take` receives the index of the first member of each piece.
     pub(in crate::scene) fn advance(&mut self, mut take: impl FnMut(usize, &[f64])) -> Result<(), Unfit> {
         let Components { count: components, .. } = self.column.components;
         let members = self.column.of.len() as usize;
@@ -167,7 +167,7 @@ impl<'s> OpenColumn<'s> {
         if self.left == 0 { self.array.finish() } else { Ok(()) }
     }
 
-    /// Bytes of the room for a piece.
+    /// The number of bytes of the buffer.
     pub(in crate::scene) fn bytes(&self) -> usize {
         size_of_val(&*self.piece)
     }

@@ -1,4 +1,4 @@
-//! A scene as it was read and checked.
+//! A scene after reading and checking.
 
 mod element;
 mod frame;
@@ -15,14 +15,14 @@ pub(super) use orientation::{Axes, Orientation, exactly, global, turned};
 use super::kind::{Dimension, Kind};
 use crate::contact::isl::Surface;
 
-/// A model over a history of states, and what is wanted of it; made by [`Scene::parse`].
+/// A model over a history of states, with the requested outputs; created by [`Scene::parse`].
 #[derive(Clone, Debug)]
 pub struct Scene {
     pub(in crate::scene) title: String,
     pub(in crate::scene) dimension: Dimension,
     pub(in crate::scene) orientations: Named<Orientation>,
     pub(in crate::scene) nodes: Named<SceneNode>,
-    /// Where every node is initially, by its number.
+    /// The initial position of every node, by its number.
     pub(in crate::scene) at: Vec<[f64; 3]>,
     /// Slide lines, of axisymmetric scenes only.
     pub(in crate::scene) lines: Named<SceneLine>,
@@ -35,7 +35,7 @@ impl Scene {
     pub fn title(&self) -> &str {
         &self.title
     }
-    /// The space it lives in.
+    /// The dimension of the scene.
     pub fn dimension(&self) -> Dimension {
         self.dimension
     }
@@ -47,7 +47,7 @@ impl Scene {
     pub fn elements(&self) -> impl ExactSizeIterator<Item = &str> {
         self.elements.names()
     }
-    /// The number of elements, with those of sets.
+    /// The number of elements, including those of sets.
     pub fn size(&self) -> usize {
         self.elements.len()
     }
@@ -69,10 +69,10 @@ pub(super) struct SceneNode {
     pub(super) orientation: Option<u32>,
 }
 
-/// A slide line, and how often its torque is wanted.
+/// A slide line, and how often its torque is output.
 #[derive(Clone, Debug)]
 pub(super) struct SceneLine {
     pub(super) surface: Surface,
-    /// In every how many states; never where it is 0.
+    /// The interval in states at which the torque is output; never if it is 0.
     pub(super) torque_frequency: u32,
 }

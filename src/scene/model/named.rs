@@ -1,27 +1,27 @@
-//! What a scene has by name.
+//! The named entries of a scene.
 
 use indexmap::IndexSet;
 use std::fmt::{self, Write as _};
 use std::ops::Index;
 
-/// Things by name, in the order of the file. A thing is one, or a set of many that have one name; the members of all
-/// things are numbered through.
+/// Entries by name, in the order of the file. An entry is a single item, or a set of many with one name; the members of all
+/// entries are numbered consecutively.
 #[derive(Clone, Debug)]
 pub(in crate::scene) struct Named<T> {
     names: IndexSet<Box<str>>,
     things: Vec<T>,
-    /// The members of each thing.
+    /// The members of each entry.
     members: Vec<Members>,
     len: u32,
 }
 
-/// Members of one thing: all of them, or those that a reference selects.
+/// Members of one entry: all of them, or those selected by a reference.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::scene) struct Members {
     first: u32,
-    /// From one to the next; 0 where there is one that stands for all.
+    /// The step from one to the next; 0 for a single one that serves all.
     step: u32,
-    /// How many; `None` of what is no set.
+    /// The number of members; `None` if it is not a set.
     count: Option<u32>,
 }
 
@@ -30,28 +30,28 @@ impl Members {
         Self { first, step: 0, count: None }
     }
 
-    /// How many of a set there are; `None` of what is no set.
+    /// The number of members in a set; `None` if it is not a set.
     pub(in crate::scene) fn count(&self) -> Option<u32> {
         self.count
     }
 
-    /// How many there are.
+    /// The number of members.
     pub(in crate::scene) fn len(&self) -> u32 {
         self.count.unwrap_or(1)
     }
 
-    /// The number of a member by its place; what is no set stands for every place.
+    /// The number of a member by its index; if it is not a set, the same for every index.
     #[inline]
     pub(in crate::scene) fn number(&self, place: u32) -> u32 {
         self.first + self.step * place
     }
 
-    /// The numbers of all.
+    /// The numbers of all members.
     pub(in crate::scene) fn numbers(self) -> impl ExactSizeIterator<Item = u32> {
         (0..self.len()).map(move |place| self.number(place))
     }
 
-    /// What is selected of a set by what stands between brackets, as in Python: `3`, `1:`, `:-1` or `::2`.
+    /// The members of a set selected by the text between brackets, as in Python: `3`, `1:`, `:-1` or `::2`.
     fn select(&self, selection: &str) -> Option<Self> {
         let count = i64::from(self.count?);
         let place = |text: &str, absent: i64| {
@@ -75,7 +75,7 @@ impl Members {
     }
 }
 
-/// The name of a member: that of its thing, and its place in a set.
+/// The name of a member: that of its entry, and its index in a set.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(in crate::scene) struct Name<'n> {
     of: &'n str,
@@ -83,7 +83,7 @@ pub(in crate::scene) struct Name<'n> {
 }
 
 impl Name<'_> {
-    /// Writes it behind a text.
+    /// Appends it to a text.
     pub(in crate::scene) fn push_to(self, text: &mut String) {
         text.push_str(self.of);
         if let Some(place) = self.place {
@@ -100,7 +100,7 @@ impl fmt::Display for Name<'_> {
     }
 }
 
-/// In quotes.
+/// The name in quotes.
 impl fmt::Debug for Name<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{:?}", self.to_string())
@@ -114,10 +114,10 @@ impl<T> Default for Named<T> {
 }
 
 impl<T> Named<T> {
-    /// As many as can be numbered in 32 bits, nodes beside orientations.
+    /// The maximum that can be numbered in 32 bits, for nodes in addition to orientations.
     const MOST: u32 = 1 << 30;
 
-    /// Adds a thing of a new name, or a set of so many; gives it back if there are not as many numbers left.
+    /// Adds an entry with a new name, or a set of `count` members; returns it if not enough numbers are left.
     pub(in crate::scene) fn push(&mut self, name: &str, count: Option<u32>, thing: T) -> Result<(), T> {
         let members = Members { first: self.len, step: u32::from(count.is_some()), count };
         if members.len() > Self::MOST - self.len {
@@ -130,17 +130,17 @@ impl<T> Named<T> {
         Ok(())
     }
 
-    /// How many members all things have.
+    /// The number of members of all entries.
     pub(in crate::scene) fn len(&self) -> usize {
         self.len as usize
     }
 
-    /// The number that the next will have.
+    /// The number of the next member.
     pub(in crate::scene) fn next_number(&self) -> u32 {
         self.len
     }
 
-    /// The members that a reference names: those of a thing, or the selected ones of a set, as `b[3]` or `b[1:]`.
+    /// The members named by a reference: those of an entry, or the selected ones of a set, such as `b[3]` or `b[1:]`.
     pub(in crate::scene) fn members(&self, reference: &str) -> Option<Members> {
         if let Some(thing) = self.names.get_index_of(reference) {
             return Some(self.members[thing]);
@@ -149,8 +149,8 @@ impl<T> Named<T> {
         self.members[self.names.get_index_of(name)?].select(selection)
     }
 
-    /// The members of the thing of this name if it is the one at a place, or else wherever it is; names mostly come in the
-    /// order of the things. The place is then that of the next.
+    /// The members of the entry with this name; the entry at `place` is tried first, since names mostly come in the order of the
+    /// entries. Afterwards `place` is the index of the next entry.
     pub(in crate::scene) fn members_near(&self, place: &mut usize, name: &str) -> Option<Members> {
         if self.names.get_index(*place).is_none_or(|known| **known != *name) {
             *place = self.names.get_index_of(name)?;
@@ -159,15 +159,15 @@ impl<T> Named<T> {
         Some(self.members[*place - 1])
     }
 
-    /// Whether there is a thing of this name.
+    /// Whether there is an entry with this name.
     pub(in crate::scene) fn knows(&self, name: &str) -> bool {
         self.names.contains(name)
     }
 
-    /// The place of the thing of which this is a member, and that of the member in it.
+    /// The index of the entry to which this member belongs, and the index of the member in it.
     #[inline]
     pub(in crate::scene) fn locate(&self, number: u32) -> (usize, u32) {
-        // Where there is no set, a thing has the place of its number.
+        // Without sets, the index of an entry is its number.
         if self.things.len() == self.len() {
             return (number as usize, 0);
         }
@@ -181,7 +181,7 @@ impl<T> Named<T> {
         Name { of: &self.names[thing], place: self.members[thing].count.map(|_| place) }
     }
 
-    /// The names of the things.
+    /// The names of the entries.
     pub(in crate::scene) fn names(&self) -> impl ExactSizeIterator<Item = &str> {
         self.names.iter().map(|name| &**name)
     }
@@ -190,17 +190,17 @@ impl<T> Named<T> {
         &self.things
     }
 
-    /// The things with their names and members.
+    /// The entries with their names and members.
     pub(in crate::scene) fn iter(&self) -> impl Iterator<Item = (&str, Members, &T)> {
         self.names().zip(&self.members).zip(&self.things).map(|((name, &members), thing)| (name, members, thing))
     }
 
-    /// The thing at a place with its name and members.
+    /// The entry with this index, with its name and members.
     pub(in crate::scene) fn nth(&self, place: usize) -> (&str, Members, &T) {
         (&self.names[place], self.members[place], &self.things[place])
     }
 
-    /// Each made into something else, or `None` if one of them cannot be.
+    /// Converts every entry, or returns `None` if one of them cannot be converted.
     pub(in crate::scene) fn each<U>(self, make: impl FnMut(T) -> Option<U>) -> Option<Named<U>> {
         let Self { names, things, members, len } = self;
         let things = things.into_iter().map(make).collect::<Option<_>>()?;
@@ -208,7 +208,7 @@ impl<T> Named<T> {
     }
 }
 
-/// The thing of which this is a member.
+/// The entry to which this member belongs.
 impl<T> Index<u32> for Named<T> {
     type Output = T;
 

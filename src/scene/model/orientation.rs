@@ -1,24 +1,24 @@
-//! Triads, and how they turn.
+//! Triads, and their rotation.
 
 use crate::number::scalar::norm_and_direction;
 use crate::scene::evaluate::Number;
 use nalgebra::Vector3;
 
-/// How a triad stands, as the scene says it.
+/// The orientation of a triad as given in the scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::scene) enum Orientation {
     /// The first axis, and a vector in the plane of the first two.
     Axes([f64; 3], [f64; 3]),
     /// Axis times angle.
     Rotation([f64; 3]),
-    /// Real part first; need not be of length 1.
+    /// Real part first; it need not have length 1.
     Quaternion([f64; 4]),
 }
 
 /// The vectors of a triad.
 pub(in crate::scene) type Axes<T> = [Vector3<T>; 3];
 
-/// A vector of exact doubles.
+/// A vector of exact doubles, converted to this number type.
 pub(in crate::scene) fn exactly<T: Number>(v: [f64; 3]) -> Vector3<T> {
     Vector3::from(v.map(T::exactly))
 }
@@ -52,7 +52,7 @@ impl Orientation {
     }
 }
 
-/// A triad turned by a rotation vector (Rodrigues' formula, with 1 − cos θ as 2 sin² θ/2).
+/// A triad rotated by a rotation vector (Rodrigues' formula, with 1 − cos θ as 2 sin² θ/2).
 pub(in crate::scene) fn turned<T: Number>(axes: &Axes<T>, rotation: [f64; 3]) -> Axes<T> {
     if rotation == [0.0; 3] {
         return *axes;

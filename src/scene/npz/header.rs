@@ -1,20 +1,20 @@
-//! The header of an array: what its numbers are, how they are ordered, and how many there are along each axis.
+//! The header of an array: the type of its numbers, their order, and how many there are along each axis.
 
 use super::unfit::{Unfit, tuple};
 use std::io::{self, Read, Write};
 
 const MAGIC: &[u8] = b"\x93NUMPY";
 
-/// The numbers that are read and written: little-endian, 64 bits.
+/// The type of numbers that is read and written: little-endian, 64 bits.
 const TYPE: &str = "<f8";
 
 /// Longer headers describe structures.
 const LONGEST: usize = 1 << 16;
 
-/// Where the numbers begin is a multiple of it.
+/// The numbers begin at a multiple of this.
 const ALIGNMENT: usize = 64;
 
-/// What a dictionary says, as far as it says it.
+/// The contents of a dictionary, as far as present.
 #[derive(Default)]
 struct Said<'h> {
     descr: Option<&'h str>,
@@ -22,7 +22,7 @@ struct Said<'h> {
     shape: Option<Vec<usize>>,
 }
 
-/// Reads a header: the shape of the array, and how many bytes stand before its numbers.
+/// Reads a header: the shape of the array, and the number of bytes before its numbers.
 pub(super) fn read(from: &mut dyn Read) -> Result<(Vec<usize>, u64), Unfit> {
     let (text, bytes) = text(from)?;
     let unreadable = || Unfit::new("a header that cannot be read", "what numpy.savez writes");
@@ -40,7 +40,7 @@ pub(super) fn read(from: &mut dyn Read) -> Result<(Vec<usize>, u64), Unfit> {
     Ok((shape, bytes))
 }
 
-/// The text of a header, and how many bytes it takes with what stands before it.
+/// The text of a header, and its number of bytes including those before it.
 fn text(from: &mut dyn Read) -> Result<(String, u64), Unfit> {
     let cut = |error: io::Error| Unfit::new(format!("a header that cannot be read: {error}"), "a whole array");
     let mut start = [0; 8];
@@ -62,7 +62,7 @@ fn text(from: &mut dyn Read) -> Result<(String, u64), Unfit> {
     Ok((text, (start.len() + width + len) as u64))
 }
 
-/// `{'descr': '<f8', 'fortran_order': False, 'shape': (10, 3), }`, its keys in any order.
+/// `{'descr': '<f8', 'fortran_order': False, 'shape': (10, 3), }`, with keys in any order.
 fn dictionary(text: &str) -> Option<Said<'_>> {
     let mut rest = Rest(text);
     let mut said = Said::default();
@@ -83,7 +83,7 @@ fn dictionary(text: &str) -> Option<Said<'_>> {
     rest.0.trim().is_empty().then_some(said)
 }
 
-/// What is left of a header.
+/// The rest of a header.
 struct Rest<'h>(&'h str);
 
 impl<'h> Rest<'h> {
@@ -100,7 +100,7 @@ impl<'h> Rest<'h> {
         Some(inside)
     }
 
-    /// A type. Of a structure, all that follows; it is not read in any case.
+    /// A type. For a structure, all of the remaining text; it is not read in any case.
     fn descr(&mut self) -> Option<&'h str> {
         let text = self.0.trim_start();
         if !text.starts_with('[') {
@@ -132,7 +132,7 @@ impl<'h> Rest<'h> {
 pub(super) fn write(shape: &[usize], to: &mut impl Write) -> io::Result<()> {
     let text = format!("{{'descr': '{TYPE}', 'fortran_order': False, 'shape': {}, }}", tuple(shape));
     let before = MAGIC.len() + 4;
-    // The line ends the header.
+    // A line break ends the header.
     let len = (before + text.len() + 1).next_multiple_of(ALIGNMENT) - before;
     let size = u16::try_from(len).map_err(|_| io::Error::other("an array of too many axes"))?;
     to.write_all(MAGIC)?;

@@ -1,4 +1,4 @@
-//! Reading arrays, piece by piece to where their numbers are wanted.
+//! Reads arrays, piece by piece into their destination.
 
 use super::unfit::{Unfit, tuple};
 use super::{PIECE, header};
@@ -12,15 +12,15 @@ use std::fs::File;
 use std::io::{self, BufReader, Read};
 use std::path::Path;
 
-/// Numbers of an array for which there is room before it is known that the file has as many as it claims.
+/// The count of numbers of an array for which memory is reserved before it is known that the file has as many as it claims.
 const BELIEVED: usize = 1 << 20;
 
-/// Bytes that are read from the file at once, of arrays that are read in smaller pieces.
+/// The number of bytes read from the file at once, for arrays that are read in smaller pieces.
 const BUFFER: u64 = 1 << 16;
 
 /// A file of arrays.
 pub(in crate::scene) struct Archive {
-    /// As the scene names it.
+    /// The name in the scene.
     name: String,
     bytes: ZipArchive<FileReader>,
     entries: HashMap<String, Entry>,
@@ -32,7 +32,7 @@ impl fmt::Debug for Archive {
     }
 }
 
-/// Where an array is in the file.
+/// The location of an array in the file.
 #[derive(Clone, Copy)]
 struct Entry {
     place: ZipArchiveEntryWayfinder,
@@ -40,7 +40,7 @@ struct Entry {
 }
 
 impl Archive {
-    /// Opens a file, which the scene names so.
+    /// Opens a file, which has this name in the scene.
     pub(in crate::scene) fn open(path: &Path, name: &str) -> Result<Self, Unfit> {
         let no_file = |error: io::Error| Unfit::new(format!("no file {name:?}: {error}"), "a file that can be read");
         let broken = |error: rawzip::Error| {
@@ -101,7 +101,7 @@ impl Archive {
     }
 }
 
-/// An array, called so, that is not what was written.
+/// The error of an array, with this name, that differs from what was written.
 fn damaged(called: &str, error: impl fmt::Display) -> Unfit {
     Unfit::new(format!("{called}, damaged: {error}"), "a whole array")
 }
@@ -126,30 +126,30 @@ impl Read for Summed<'_> {
     }
 }
 
-/// What an array is called in an error, and how many numbers there are along each axis.
+/// The name of an array in errors, and the count of numbers along each axis.
 #[derive(Clone, Debug)]
 pub(in crate::scene) struct Outline {
     called: String,
     shape: Vec<usize>,
 }
 
-/// An array that is being read.
+/// An array being read.
 #[derive(Debug)]
 pub(in crate::scene) struct Array<'a> {
     outline: Outline,
     bytes: Summed<'a>,
     expected: ZipVerification,
-    /// Numbers so far.
+    /// The count of numbers read so far.
     read: usize,
 }
 
 impl Outline {
-    /// How many numbers there are along each axis.
+    /// The count of numbers along each axis.
     pub(in crate::scene) fn shape(&self) -> &[usize] {
         &self.shape
     }
 
-    /// Checks the shape; `axes` says what is counted along each.
+    /// Checks the shape; `axes` says what is counted along each axis.
     pub(in crate::scene) fn expect(&self, shape: &[usize], axes: &str) -> Result<(), Unfit> {
         if self.shape == shape {
             return Ok(());
@@ -157,12 +157,12 @@ impl Outline {
         Err(self.misshapen(format!("{}: {axes}", tuple(shape))))
     }
 
-    /// A shape that is not as it must be.
+    /// The error of a shape that is not allowed.
     pub(in crate::scene) fn misshapen(&self, allowed: impl Into<String>) -> Unfit {
         Unfit::new(format!("{} of shape {}", self.called, tuple(&self.shape)), allowed)
     }
 
-    /// A number that is not as it must be, by its place among all.
+    /// The error of a number that is not allowed, by its index among all numbers.
     pub(in crate::scene) fn wrong(&self, number: f64, place: usize, allowed: impl Into<String>) -> Unfit {
         let mut index = vec![0; self.shape.len()];
         let mut rest = place;
@@ -214,7 +214,7 @@ impl Array<'_> {
         Ok(numbers)
     }
 
-    /// Checks that nothing is left, and that it was what was written.
+    /// Checks that nothing is left, and that the checksum is correct.
     pub(in crate::scene) fn finish(&mut self) -> Result<(), Unfit> {
         let left = self.bytes.read(&mut [0]).map_err(|error| self.outline.damaged(error))?;
         let read = ZipVerification {
@@ -225,7 +225,7 @@ impl Array<'_> {
     }
 }
 
-/// Whether all numbers are finite and in a domain. To look at all of them is faster than to stop at one.
+/// Whether all numbers are finite and in a domain. Checking all of them is faster than stopping at the first fault.
 fn are_all(numbers: &[f64], domain: Domain) -> bool {
     let are_finite = numbers.iter().fold(true, |all, number| all & number.is_finite());
     are_finite && (domain == Domain::Real || numbers.iter().fold(true, |all, &number| all & domain.allows(number)))

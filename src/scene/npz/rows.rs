@@ -6,26 +6,26 @@ use rawzip::ZipArchiveWriter;
 use std::cell::Cell;
 use std::io::{self, Seek, SeekFrom, Write};
 
-/// A file of arrays of which each gets its next row in turn; it has the bytes of those that [`Writer`](super::Writer) writes
-/// one after the other.
+/// A file of arrays in which each array receives its next row in turn; it has the same bytes as arrays written one after the
+/// other by [`Writer`](super::Writer).
 ///
-/// Where the numbers of each array stand is known from the shapes. What stands between them holds their checksums, and is
-/// written at the end. Short rows are written together.
+/// The positions of the numbers of each array follow from the shapes. The bytes between the arrays contain their checksums, and
+/// are written at the end. Short rows are buffered.
 pub(in crate::scene) struct Rows<W: Write + Seek> {
     to: W,
     arrays: Vec<Growing>,
-    /// Numbers of an array that wait at most.
+    /// The maximum count of buffered numbers per array.
     wait: usize,
 }
 
-/// Numbers of all arrays that wait at most.
+/// The maximum count of buffered numbers of all arrays.
 const WAIT: usize = 1 << 20;
 
 struct Growing {
     entry: Entry,
-    /// Numbers that wait to be written.
+    /// Numbers waiting to be written.
     waiting: Vec<f64>,
-    /// Where the next number is written.
+    /// The position at which the next number is written.
     at: u64,
     sum: crc32fast::Hasher,
 }
@@ -50,7 +50,7 @@ impl Growing {
 }
 
 impl<W: Write + Seek> Rows<W> {
-    /// Arrays of these names and shapes.
+    /// Arrays with these names and shapes.
     pub(in crate::scene) fn new(to: W, arrays: impl Iterator<Item = (String, Vec<usize>)>) -> io::Result<Self> {
         let growing = |(name, shape): (String, Vec<usize>)| {
             let entry = Entry::new(&name, &shape)?;
@@ -90,7 +90,8 @@ impl<W: Write + Seek> Rows<W> {
     }
 }
 
-/// Writes what stands between the numbers, and zeros for the numbers, while `between` is false. Returns where they stand.
+/// Writes the bytes between the numbers, and zeros for the numbers while `between` is false. Returns the positions of the
+/// numbers.
 fn frame(to: impl Write, between: &Cell<bool>, arrays: &[Growing]) -> io::Result<Vec<u64>> {
     static ZEROS: [u8; 1 << 16] = [0; 1 << 16];
     let mut archive = ZipArchiveWriter::new(to);
@@ -112,11 +113,11 @@ fn frame(to: impl Write, between: &Cell<bool>, arrays: &[Growing]) -> io::Result
     Ok(places)
 }
 
-/// Steps over what is not `between` the numbers.
+/// Skips the bytes that are not `between` the numbers.
 struct Gaps<'g, W> {
     to: &'g mut W,
     between: &'g Cell<bool>,
-    /// Bytes that were stepped over since the last that was written.
+    /// The number of bytes skipped since the last write.
     ahead: i64,
 }
 

@@ -1,6 +1,6 @@
-//! What is wrong with arrays.
+//! Errors of arrays.
 
-/// What is wrong with a file or an array of it, and what may be there.
+/// A fault of a file or of an array in it, and what is allowed.
 #[derive(Debug)]
 pub(in crate::scene) struct Unfit {
     pub(in crate::scene) found: String,
@@ -13,7 +13,7 @@ impl Unfit {
     }
 }
 
-/// A shape as Python writes it.
+/// A shape in Python notation.
 pub(super) fn tuple(shape: &[usize]) -> String {
     let sizes: Vec<_> = shape.iter().map(usize::to_string).collect();
     if let [one] = &sizes[..] { format!("({one},)") } else { format!("({})", sizes.join(", ")) }

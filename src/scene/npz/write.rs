@@ -27,10 +27,10 @@ impl<W: Write> Writer<W> {
         Self { archive: ZipArchiveWriter::new(BufWriter::with_capacity(1 << 16, to)) }
     }
 
-    /// Writes the next array: its name, its size along each axis, and its numbers, of which the last axis is next to each other.
+    /// Writes the next array: its name, its size along each axis, and its numbers, with the last axis contiguous.
     ///
     /// # Errors
-    /// A name that an archive cannot hold, numbers that do not fill the shape, and what the file system says.
+    /// A name that an archive cannot hold, numbers that do not fill the shape, or an error of the file system.
     pub fn write(&mut self, name: &str, shape: &[usize], numbers: &[f64]) -> io::Result<()> {
         let entry = Entry::new(name, shape)?;
         if entry.numbers != numbers.len() {
@@ -49,7 +49,7 @@ impl<W: Write> Writer<W> {
     /// Ends the file.
     ///
     /// # Errors
-    /// What the file system says.
+    /// An error of the file system.
     pub fn finish(self) -> io::Result<()> {
         self.archive.finish().map_err(io::Error::other)?.flush()
     }
@@ -62,7 +62,7 @@ fn invalid(what: String) -> io::Error {
 /// An array in an archive.
 pub(super) struct Entry {
     file: String,
-    /// What stands before its numbers.
+    /// The bytes before its numbers.
     pub(super) head: Vec<u8>,
     pub(super) numbers: usize,
 }
@@ -81,14 +81,14 @@ impl Entry {
         Ok(Self { file, head, numbers })
     }
 
-    /// Writes what stands before the numbers.
+    /// Writes the bytes before the numbers.
     pub(super) fn start<'a, W: Write>(&self, to: &'a mut ZipArchiveWriter<W>) -> io::Result<ZipEntryWriter<'a, W>> {
         let (mut writing, _) = to.new_file(self.file.as_str()).start().map_err(io::Error::other)?;
         writing.write_all(&self.head)?;
         Ok(writing)
     }
 
-    /// Writes what stands behind the numbers, of which this is the checksum.
+    /// Writes the bytes after the numbers, given their checksum.
     pub(super) fn finish<W: Write>(&self, writing: ZipEntryWriter<'_, W>, sum: u32) -> io::Result<()> {
         let size = self.head.len() + self.numbers * size_of::<f64>();
         writing.finish(DataDescriptorOutput::new(sum, size as u64)).map_err(io::Error::other)?;

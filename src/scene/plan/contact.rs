@@ -1,7 +1,7 @@
-//! What is evaluated on slide lines for the outputs that are wanted.
+//! The evaluations on slide lines that the requested outputs need.
 //!
-//! A node of an ISL element is looked for on its line once a state, however many elements have it. What follows from
-//! where it is found is evaluated only as far as an output asks: slip, pressure, shear stress, torque.
+//! A node of an ISL element is searched on its line once per state, however many elements share it. Everything that follows from
+//! its position is evaluated only if an output needs it: slip, pressure, shear stress, torque.
 
 use super::line::PlanLine;
 use crate::contact::coulomb::ReturnMap;
@@ -11,26 +11,26 @@ use crate::scene::model::{Members, Scene, SceneElement, SceneLine};
 use indexmap::IndexMap;
 use std::collections::HashMap;
 
-/// What is evaluated on a slide line.
+/// The evaluations on a slide line.
 #[derive(Debug)]
 pub(in crate::scene) struct ContactPlan<'s> {
     /// The name of the line.
     pub(in crate::scene) name: &'s str,
     pub(in crate::scene) surface: &'s Surface,
-    /// In every how many states the torque is a result, beside the last; never where it is 0.
+    /// The interval in states at which the torque is output, in addition to the last state; never if it is 0.
     pub(in crate::scene) torque_frequency: u32,
-    /// Every node that slides on it, once, by its place in the scene.
+    /// Every node that slides on it, once, by its number in the scene.
     pub(in crate::scene) slaves: Vec<Slave>,
-    /// The elements of which something is wanted, in the order of the file.
+    /// The elements with requested outputs, in the order of the file.
     pub(in crate::scene) elements: Vec<WantedElement>,
 }
 
-/// An element of which something is wanted.
+/// An element with requested outputs.
 #[derive(Debug)]
 pub(in crate::scene) struct WantedElement {
-    /// It has the number of the scene's; so have its nodes.
+    /// The element and its nodes have the numbers of the scene.
     pub(in crate::scene) element: IslElement,
-    /// Its nodes, by their place among the slaves.
+    /// Its nodes, by their indices among the slaves.
     pub(in crate::scene) slaves: Vec<usize>,
     pub(in crate::scene) outputs: Vec<Output>,
 }
@@ -50,7 +50,7 @@ pub(in crate::scene) enum Output {
 }
 
 impl Output {
-    /// All, in the order of the outputs of the kinds.
+    /// All outputs, in the order of the outputs of the kinds.
     const ALL: [Self; 9] = [
         Self::E11,
         Self::E12,
@@ -77,12 +77,12 @@ impl Output {
         }
     }
 
-    /// Whether every node of an element has it.
+    /// Whether it is an output of every node of an element.
     pub(in crate::scene) fn is_of_nodes(self) -> bool {
         self != Self::Torque
     }
 
-    /// How many components an element or each of its nodes has.
+    /// The number of components of an element or of each of its nodes.
     pub(in crate::scene) fn components(self) -> usize {
         if matches!(self, Self::Tangent | Self::Normal) { 2 } else { 1 }
     }
@@ -91,7 +91,7 @@ impl Output {
         Self::ALL.into_iter().enumerate().filter(|(bit, _)| element.outputs >> bit & 1 == 1).map(|(_, o)| o).collect()
     }
 
-    /// What is wanted of the nodes for it.
+    /// The quantities of the nodes that the output needs.
     fn wanted(self) -> Wanted {
         let (e12, s12) = (self == Self::E12, self == Self::S12);
         Wanted { e12, s11: matches!(self, Self::S11 | Self::Torque), s12 }
@@ -99,7 +99,7 @@ impl Output {
 }
 
 impl<'s> ContactPlan<'s> {
-    /// A plan per slide line of which something is wanted.
+    /// A plan for every slide line with requested outputs.
     pub(in crate::scene) fn all(scene: &'s Scene) -> Vec<Self> {
         let plan = |(name, _, line): (&'s str, _, &'s SceneLine)| Self {
             name,
@@ -133,12 +133,12 @@ impl<'s> ContactPlan<'s> {
         plans
     }
 
-    /// Whether something asks for the torque of the line.
+    /// Whether the torque of the line is requested.
     pub(in crate::scene) fn torque(&self) -> bool {
         self.elements.iter().any(|element| element.wants(Output::Torque))
     }
 
-    /// The plan, a line a formula.
+    /// The plan, one line per formula.
     pub(in crate::scene) fn lines(&self) -> Vec<PlanLine> {
         let mut stages: IndexMap<_, usize> = IndexMap::new();
         for slave in &self.slaves {
@@ -166,7 +166,7 @@ impl<'s> ContactPlan<'s> {
     }
 }
 
-/// The elements that slide and of which something is wanted, with the places of their lines.
+/// The sliding elements with requested outputs, with the indices of their lines.
 fn sliding(scene: &Scene) -> impl Iterator<Item = (Members, &SceneElement, u32)> {
     let wanted = scene.elements.iter().filter(|(_, _, element)| element.outputs != 0);
     wanted.filter_map(|(_, members, element)| Some((members, element, element.line?)))
@@ -183,7 +183,7 @@ fn isl_element(number: u32, nodes: &[u32]) -> IslElement {
 }
 
 impl WantedElement {
-    /// Whether an output is wanted of it.
+    /// Whether an output of the element is requested.
     pub(in crate::scene) fn wants(&self, output: Output) -> bool {
         self.outputs.contains(&output)
     }

@@ -9,11 +9,11 @@ pub struct PlanLine {
     pub formula: &'static str,
     /// The kind of the elements.
     pub kind: &'static str,
-    /// How many elements it is evaluated for.
+    /// The number of elements for which it is evaluated.
     pub elements: usize,
     /// Whether it is evaluated once, in the initial configuration, or in every state.
     pub once: bool,
-    /// What it is needed for.
+    /// The purpose of the formula.
     pub why: String,
 }
 

@@ -1,4 +1,4 @@
-//! From wanted outputs to the formulas they need, and to nothing else.
+//! From the requested outputs to the formulas that they need, and to no others.
 
 mod contact;
 mod line;
@@ -17,7 +17,7 @@ use super::model::{Scene, SceneElement};
 use indexmap::IndexMap;
 use std::collections::HashMap;
 
-/// Which formulas are evaluated, for which elements, in which order.
+/// The formulas to be evaluated, for which elements, and in which order.
 #[derive(Debug)]
 pub struct Plan<'s> {
     pub(super) scene: &'s Scene,
@@ -34,7 +34,7 @@ pub(super) struct Group {
 }
 
 impl<'s> Plan<'s> {
-    /// The least that the scene's outputs need.
+    /// The smallest plan that provides the scene's outputs.
     pub fn new(scene: &'s Scene) -> Self {
         let mut known = HashMap::new();
         let mut groups: Vec<Group> = Vec::new();
@@ -60,14 +60,14 @@ impl<'s> Plan<'s> {
         self.scene
     }
 
-    /// The plan, a line a formula and group of elements, in the order of evaluation.
+    /// The plan, one line per formula and group of elements, in the order of evaluation.
     pub fn lines(&self) -> Vec<PlanLine> {
         let contacts = self.contacts.iter().flat_map(ContactPlan::lines);
         self.groups.iter().flat_map(Group::lines).chain(contacts).collect()
     }
 
-    /// How often each formula is to be evaluated over this many states, in the order of evaluation. Where a slide line is
-    /// searched that is as often as nodes are looked for; how many of its segments and corners that takes, a run says.
+    /// The number of evaluations of each formula over this many states, in the order of evaluation. For the search on a slide
+    /// line it is the number of searches; the number of segments and corners examined is known only after a run.
     pub fn counts(&self, states: usize) -> Vec<(&'static str, usize)> {
         let mut counts: IndexMap<_, usize> = IndexMap::new();
         for line in self.lines() {

@@ -1,9 +1,9 @@
-//! Which formulas a set of outputs needs.
+//! The formulas that a set of outputs needs.
 
 use super::signature::Signature;
 use crate::scene::kind::{Fallback, Kind, Origin, Use};
 
-/// Formulas that were chosen, and the registers they need that are given.
+/// The chosen formulas, and the given registers that they need.
 #[derive(Default)]
 pub(in crate::scene) struct Needs {
     pub(in crate::scene) formulas: Vec<(&'static Use, Vec<String>)>,
@@ -19,19 +19,19 @@ pub(in crate::scene) fn wanted(
 }
 
 impl Needs {
-    /// What the outputs of an element need.
+    /// The needs of the outputs of an element.
     pub(in crate::scene) fn of_outputs(signature: &Signature) -> Self {
         let outputs = wanted(signature.kind, signature.outputs);
         Self::of(signature, outputs.map(|(name, register)| (register, format!("output {name}"))))
     }
 
-    /// Which outputs need a register, directly or not.
+    /// The outputs that need a register, directly or indirectly.
     pub(in crate::scene) fn reasons(&self, register: &str) -> String {
         let readers = self.formulas.iter().filter(|(formula, _)| formula.reads(register).is_some());
         readers.map(|(formula, _)| formula.id()).collect::<Vec<_>>().join(", ")
     }
 
-    /// What these registers need.
+    /// The needs of these registers.
     pub(in crate::scene) fn of(signature: &Signature, wanted: impl Iterator<Item = (&'static str, String)>) -> Self {
         let mut needs = Self::default();
         let mut open: Vec<Wanted> = wanted.collect();
@@ -45,7 +45,7 @@ impl Needs {
         needs
     }
 
-    /// Settles where a register comes from.
+    /// Determines the source of a register.
     fn settle(&mut self, signature: &Signature, register: &'static str, why: String, next: &mut Vec<Wanted>) {
         if let Some(origin) = signature.kind.given(register) {
             self.give(signature, register, origin, next);
@@ -56,7 +56,7 @@ impl Needs {
         }
     }
 
-    /// Takes a register that is given, and asks for what it is given from.
+    /// Adds a given register, and requests the register on which its value depends.
     fn give(&mut self, signature: &Signature, register: &'static str, origin: Origin, next: &mut Vec<Wanted>) {
         if self.given.iter().any(|(name, _)| *name == register) {
             return;
@@ -79,10 +79,10 @@ impl Needs {
     }
 }
 
-/// A register that is wanted, and why.
+/// A requested register, and the reason.
 type Wanted = (&'static str, String);
 
-/// The formula that computes a register; no kind has two at once.
+/// The formula that computes a register; no kind has two at the same time.
 fn writer(signature: &Signature, register: &'static str) -> &'static Use {
     let kind = signature.kind;
     let mut writers = kind.writers(register).filter(|formula| signature.applies(formula.when));
@@ -95,7 +95,7 @@ mod tests {
     use crate::scene::kind::When;
     use crate::scene::model::Parameter;
 
-    /// The parameters on which it depends whether a formula is taken.
+    /// The parameters on which the use of formulas depends.
     fn conditions(kind: &Kind) -> Vec<&'static str> {
         let mut names: Vec<_> = kind
             .formulas()
@@ -112,7 +112,7 @@ mod tests {
         names
     }
 
-    /// Whether a formula or a state after it reads a register, or it is shown.
+    /// Whether a register is read by a formula or in a later state, or is an output.
     fn is_read(kind: &Kind, register: &str) -> bool {
         kind.outputs().any(|(_, shown)| shown == register)
             || kind.formulas().any(|formula| formula.reads(register).is_some())
@@ -122,7 +122,7 @@ mod tests {
             })
     }
 
-    /// Else the one that is needed anyway would have to be looked for.
+    /// Otherwise it would be unclear which of them is needed.
     #[test]
     fn no_kind_has_two_formulas_at_once_that_compute_a_register() {
         let numbers = [Parameter::Absent, Parameter::One(0.0), Parameter::One(1.0)];

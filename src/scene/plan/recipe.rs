@@ -1,4 +1,4 @@
-//! What is done for every element of a group: registers, where they come from, and the steps.
+//! The evaluation of every element of a group: registers, their sources, and the steps.
 
 use super::needs::{Needs, wanted};
 use super::signature::Signature;
@@ -20,19 +20,19 @@ impl fmt::Debug for Planned {
     }
 }
 
-/// What is done for every element of a group.
+/// The evaluation of every element of a group.
 #[derive(Debug)]
 pub(in crate::scene) struct Recipe {
-    /// How many registers last from state to state; they are numbered first.
+    /// The number of registers that persist from state to state; they are numbered first.
     pub(in crate::scene) lasting: usize,
-    /// How many there are beside them.
+    /// The number of other registers.
     pub(in crate::scene) passing: usize,
     pub(in crate::scene) parameters: Vec<Parameter>,
     /// The register of each load of the kind, if it is needed.
     pub(in crate::scene) loads: Vec<Option<usize>>,
-    /// In the initial configuration.
+    /// The pass in the initial configuration.
     pub(in crate::scene) start: Pass,
-    /// In every state.
+    /// The pass in every state.
     pub(in crate::scene) state: Pass,
     /// Name and registers of each output.
     pub(in crate::scene) outputs: Vec<(&'static str, Span)>,
@@ -41,19 +41,19 @@ pub(in crate::scene) struct Recipe {
 /// A parameter that is a number.
 #[derive(Debug)]
 pub(in crate::scene) struct Parameter {
-    /// Its place in the kind.
+    /// Its index in the kind.
     pub(in crate::scene) index: usize,
-    /// The number where it is not given.
+    /// The number if it is not given.
     pub(in crate::scene) fallback: Option<f64>,
     pub(in crate::scene) register: usize,
 }
 
-/// Formulas that are evaluated together, and what must be there before.
+/// Formulas that are evaluated together, and the values that they need beforehand.
 #[derive(Debug)]
 pub(in crate::scene) struct Pass {
-    /// What the last state has left, and where it is wanted now.
+    /// Registers of the last state, and those to which they are copied.
     pub(in crate::scene) before: Vec<(Span, Span)>,
-    /// What is read of the nodes.
+    /// The quantities of the nodes that are read.
     pub(in crate::scene) reads: Vec<(Origin, Span)>,
     pub(in crate::scene) steps: Vec<Planned>,
 }
@@ -70,7 +70,7 @@ impl Recipe {
         let at_start = initial.iter().map(|&(of, name)| (of, format!("{name}, the initial value")));
         let at_start = Needs::of(signature, at_start);
 
-        // What an element is given lasts.
+        // The given values of an element persist.
         let mut layout = Layout { kind, spans: Vec::new(), end: 0 };
         let given = |name: &str| needs.given.iter().chain(&at_start.given).any(|(other, _)| *other == name);
         let mut parameters = Vec::new();
@@ -88,12 +88,12 @@ impl Recipe {
                 layout.share(name, of);
             }
         }
-        // At the start, what becomes an initial value is computed where it is kept, and everything else is forgotten.
+        // In the initial pass, the registers that become initial values are computed in place, and all others are discarded.
         let mut start_layout = layout.clone();
         for (of, name) in initial {
             start_layout.share(of, name);
         }
-        // What is computed lasts where it is wanted later: by who asks for the outputs, or in the next state.
+        // Computed registers persist if they are needed later: as outputs, or in the next state.
         let wanted = wanted(kind, signature.outputs);
         let outputs = wanted.map(|(name, register)| (name, layout.span(register))).collect();
         for &(_, origin) in &needs.given {
@@ -103,7 +103,7 @@ impl Recipe {
         }
         let lasting = layout.end;
         let state = Pass::new(&needs, &mut layout);
-        // The start has registers of its own, so that what it leaves there is not taken for the zeros of a state.
+        // The initial pass has registers of its own, so that its leftovers are not mistaken for the zeros of a state.
         start_layout.end = layout.end;
         let start = Pass::new(&at_start, &mut start_layout);
         Self { lasting, passing: start_layout.end - lasting, parameters, loads, start, state, outputs }

@@ -1,22 +1,22 @@
-//! What decides which formulas an element needs.
+//! The properties that determine which formulas an element needs.
 
 use crate::scene::kind::{Kind, When};
 use crate::scene::model::Parameter;
 use std::ops::Range;
 
-/// What decides which formulas an element needs.
+/// The properties that determine which formulas an element needs.
 #[derive(Clone, Copy)]
 pub(in crate::scene) struct Signature {
     pub(in crate::scene) kind: &'static Kind,
     pub(in crate::scene) outputs: u64,
-    /// A bit per parameter: not 0.
+    /// One bit per parameter, set if it is not 0.
     on: u64,
-    /// A bit per parameter: given.
+    /// One bit per parameter, set if it is given.
     given: u64,
 }
 
 impl Signature {
-    /// Those of the members of a set of so many, one after the other as long as they are alike.
+    /// The signatures of the `count` members of a set, with consecutive members of equal signature combined.
     pub(in crate::scene) fn of_members(
         kind: &'static Kind,
         parameters: &[&Parameter],

@@ -1,4 +1,4 @@
-//! What the needed formulas say about parameters.
+//! The requirements of the needed formulas on parameters.
 
 use crate::formula::error::Error;
 use crate::scene::json::Reader;
@@ -7,18 +7,18 @@ use crate::scene::model::Parameter;
 use crate::scene::plan::{Needs, Signature};
 use std::collections::HashMap;
 
-/// What is needed, worked out once for elements alike.
+/// The needs, computed once for elements with equal signatures.
 #[derive(Default)]
 pub(super) struct Checks {
     known: HashMap<Signature, Needs>,
 }
 
-/// One that was given badly is not also a missing one, nor one that is 0.
+/// A faulty parameter is not also reported as missing, and does not count as 0.
 const FAULTY: Parameter = Parameter::One(f64::NAN);
 
 impl Checks {
-    /// Says what is wrong with the parameters of an element, or of a set of so many, that stands at a place; those that are
-    /// faulty are `None`.
+    /// Reports the faults in the parameters of an element, or of a set of `count` elements, at a position in the text; parameters
+    /// that are faulty already are `None`.
     pub(super) fn run(
         &mut self,
         reader: &mut Reader,
@@ -48,7 +48,7 @@ impl Checks {
         }
     }
 
-    /// Says which parameter an output needs that is not given.
+    /// Reports a parameter that an output needs and that is not given.
     fn check_required(&mut self, reader: &mut Reader, place: usize, signature: Signature) {
         let needs = self.known.entry(signature).or_insert_with(|| Needs::of_outputs(&signature));
         for &(name, origin) in &needs.given {

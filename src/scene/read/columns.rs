@@ -1,4 +1,4 @@
-//! Numbers that stand as arrays in a file beside the scene.
+//! Numbers stored as arrays in a file next to the scene.
 
 use crate::scene::json::{Mark, Read, Reader, Stop};
 use crate::scene::npz::{Archive, Array, Unfit};
@@ -11,15 +11,15 @@ pub(super) struct Columns {
     archive: Option<Arc<Archive>>,
 }
 
-/// An array by its name, and where the scene names it.
+/// The name of an array, and the position at which the scene refers to it.
 pub(super) struct Reference {
     pub(super) name: String,
     pub(super) mark: Mark,
 }
 
 impl Columns {
-    /// Reads which file it is; `folder` is where the scene is, if it is in one. Without the file, nothing that could refer to
-    /// it is read.
+    /// Reads the name of the file; `folder` is the folder of the scene, if it is in one. Without the file, nothing that could
+    /// refer to it is read.
     pub(super) fn read(reader: &mut Reader, folder: Option<&Path>) -> Read<Self> {
         let place = reader.place();
         let Some(name) = reader.string("the path of a .npz file")? else { return Err(Stop) };
@@ -45,7 +45,7 @@ impl Columns {
         self.archive.as_ref()
     }
 
-    /// The name of an array, if one stands next. Without a file of arrays, a string is no name.
+    /// The name of an array, if it is next in the text. Without a file of arrays, a string is not a name.
     pub(super) fn refer(&self, reader: &mut Reader) -> Read<Option<Reference>> {
         let place = reader.place();
         if self.archive.is_none() || !reader.begins_with(b'"') {
@@ -55,7 +55,7 @@ impl Columns {
         Ok(reader.string("the name of an array")?.map(|name| Reference { name: name.into(), mark }))
     }
 
-    /// Reads something from an array that was referred to, or says what is wrong with it.
+    /// Reads a value from an array that the scene refers to, or records the fault.
     pub(super) fn load<T>(
         &self,
         reader: &mut Reader,

@@ -13,17 +13,17 @@ use crate::scene::kind::{Dimension, Kind};
 use crate::scene::model::{Members, Named, Parameter, SceneElement, SceneLine, SceneNode};
 use crate::scene::npz::{Array, Unfit};
 
-/// What elements may refer to.
+/// The entries to which elements may refer.
 pub(super) struct Known<'k> {
     pub(super) nodes: &'k Named<Option<SceneNode>>,
     pub(super) lines: &'k Named<Option<SceneLine>>,
     pub(super) columns: &'k Columns,
 }
 
-/// An element, or a set of elements, as far as it could be read.
+/// An element, or a set of elements, as far as it was readable.
 pub(super) enum Draft {
     Whole(SceneElement),
-    /// With a fault: the kind and the nodes that are known all the same.
+    /// With a fault: the kind and the nodes that are nevertheless known.
     Faulty(Option<&'static Kind>, Vec<Members>),
 }
 
@@ -67,7 +67,7 @@ pub(super) fn elements_of(
         let parts = Parts::read(reader, kinds[index], known)?;
         let outputs = parts.outputs.unwrap_or(masks[index]);
         inherited.check(reader, place, parts.kind, parts.nodes.as_deref().unwrap_or_default(), known.nodes);
-        // An element that slides has no parameters, and is planned with its line.
+        // A sliding element has no parameters, and is planned with its line.
         if parts.nodes.is_some() && !parts.kind.slides() {
             checks.run(reader, place, parts.kind, parts.count.unwrap_or(1), &parts.parameters, outputs);
         }
@@ -80,7 +80,7 @@ pub(super) fn elements_of(
     Ok(elements)
 }
 
-/// The kind, by its place among these; it decides about the other keys, wherever it stands among them.
+/// The index of the kind among these; it determines the other keys, wherever it is among them.
 fn kind_of(reader: &mut Reader, kinds: &[&'static Kind]) -> Read<Option<usize>> {
     let place = reader.place();
     let names: Vec<_> = kinds.iter().map(|kind| kind.name).collect();
@@ -106,19 +106,19 @@ fn kind_of(reader: &mut Reader, kinds: &[&'static Kind]) -> Read<Option<usize>> 
     Ok(kind)
 }
 
-/// What an element's keys give.
+/// The contents of an element's keys.
 struct Parts {
     kind: &'static Kind,
-    /// Those that are known, if there are any nodes at all.
+    /// The known nodes, if there are any nodes at all.
     nodes: Option<Vec<Option<Members>>>,
-    /// How many of a set they stand for.
+    /// The number of members, if they form a set.
     count: Option<u32>,
-    /// Whether a slide line is named, and which, if it is known.
+    /// Whether a slide line is named, and its index, if it is known.
     names_line: bool,
     line: Option<u32>,
-    /// In the order of [`Kind::parameters`]; `None` where one is faulty.
+    /// In the order of [`Kind::parameters`]; `None` if one is faulty.
     parameters: Vec<Option<Parameter>>,
-    /// A bit per output, where the element says which.
+    /// One bit per output, if the element specifies them.
     outputs: Option<u64>,
 }
 
@@ -154,7 +154,7 @@ impl Parts {
         })?;
         let ends: Vec<_> = parts.nodes.iter().flatten().copied().flatten().collect();
         parts.count = SceneElement::count(&ends);
-        // Of nodes that are not known it is not known how many there are.
+        // If the nodes are unknown, so is their number.
         let is_known = parts.count.is_some() || ends.len() == kind.nodes.len();
         for (index, array) in arrays {
             let column = || column_of(reader, known.columns, array, parts.count, kind.domain(names[index]));

@@ -1,4 +1,4 @@
-//! The history of a scene: what moves, and what is loaded.
+//! The history of a scene: motions and loads.
 
 use super::elements::Draft;
 use super::given::Given;
@@ -35,14 +35,14 @@ pub(super) fn frames_of(reader: &mut Reader, mentions: &mut Mentions) -> Read<Ve
     Ok(frames)
 }
 
-/// A frame as far as it could be read.
+/// A frame as far as it was readable.
 struct ReadFrame {
     is_object: bool,
     time: Given,
     changes: ReadChanges,
 }
 
-/// What a frame changes, as it was read.
+/// The changes of a frame, as read.
 #[derive(Default)]
 struct ReadChanges {
     moves: Unsorted<[f64; 3]>,
@@ -59,13 +59,13 @@ impl ReadChanges {
     }
 }
 
-/// What frames may mention.
+/// The names that frames may mention.
 pub(super) struct Mentions<'k> {
     pub(super) dimension: Dimension,
     pub(super) moved: Mentioned<'k, Option<SceneNode>>,
     pub(super) pressed: Mentioned<'k, Option<SceneNode>>,
     pub(super) loaded: Mentioned<'k, Draft>,
-    /// Whether each node may be one of an element, where elements slide; any may be of an element whose nodes are not known.
+    /// Whether each node may belong to a sliding element; if the nodes of such an element are unknown, any node may.
     pub(super) slides: Vec<bool>,
 }
 
@@ -81,12 +81,12 @@ impl<'k> Mentions<'k> {
         Self { dimension, moved, pressed, loaded: Mentioned::none(elements, "element"), slides }
     }
 
-    /// Whether elements slide, in frames with other keys.
+    /// Whether elements slide, so that frames have other keys.
     pub(super) fn sliding(&self) -> bool {
         self.dimension == Dimension::Axisymmetric
     }
 
-    /// Reads a frame; `last` is the time of the one before it.
+    /// Reads a frame; `last` is the time of the previous one.
     fn frame(&mut self, reader: &mut Reader, index: usize, last: Option<f64>) -> Read<ReadFrame> {
         let sliding = self.sliding();
         let Self { dimension, moved, pressed, loaded, slides } = self;
@@ -128,14 +128,14 @@ fn time_of(reader: &mut Reader, last: Option<f64>) -> Read<Given> {
     Ok(time)
 }
 
-/// Says if one of these nodes slides on no line.
+/// Records a fault if one of these nodes does not slide on a line.
 pub(super) fn check_sliding(reader: &mut Reader, place: usize, slides: &[bool], nodes: Members) {
     if nodes.numbers().any(|node| !slides[node as usize]) {
         reader.fault(place, "a node of no element", "a node that slides on a line");
     }
 }
 
-/// What frames mention by name, each once a frame.
+/// The entries that frames mention by name, each once per frame.
 pub(super) struct Mentioned<'k, T> {
     pub(super) known: &'k Named<T>,
     what: &'static str,
@@ -148,7 +148,7 @@ impl<'k, T> Mentioned<'k, T> {
         Self { known, what, last: vec![0; known.len()] }
     }
 
-    /// The members of an object whose keys are names of these; `read` is told which, and where its key stands.
+    /// The members of an object whose keys are names of these entries; `read` receives them, and the position of the key.
     pub(super) fn each(
         &mut self,
         reader: &mut Reader,
@@ -174,7 +174,7 @@ impl<'k, T> Mentioned<'k, T> {
     }
 }
 
-/// How nodes may move: in a slide line's plane they do not turn.
+/// The possible motions of nodes: in the plane of a slide line they do not rotate.
 pub(super) fn motions(dimension: Dimension) -> &'static [&'static str] {
     if dimension == Dimension::Axisymmetric { &keys::MOTION[..1] } else { &keys::MOTION }
 }
@@ -199,7 +199,7 @@ fn in_plane(angle: f64) -> [f64; 3] {
     [0.0, 0.0, angle]
 }
 
-/// Loads that a kind can have: forces and moments.
+/// The maximum number of loads of a kind: forces and moments.
 const MOST_LOADS: usize = 6;
 
 fn loads_of(reader: &mut Reader, kind: &Kind, elements: Members, frame: &mut ReadChanges) -> Read<()> {

@@ -1,13 +1,13 @@
-//! Numbers that a file may give.
+//! Numbers that may be given in a file.
 
 use crate::formula::quantity::Domain;
 use crate::scene::json::{Read, Reader};
 
-/// What a file gives where it may give a number.
+/// The content of a file where a number may be given.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Given {
     Absent,
-    /// Something else, which is a fault already.
+    /// Something else, for which a fault has been recorded.
     Faulty,
     Number(f64),
 }
@@ -17,7 +17,7 @@ impl Given {
         Ok(reader.number(domain)?.map_or(Self::Faulty, Self::Number))
     }
 
-    /// The number if it is one.
+    /// The number, if there is one.
     pub(super) fn number(self) -> Option<f64> {
         match self {
             Self::Number(number) => Some(number),
@@ -26,7 +26,7 @@ impl Given {
     }
 }
 
-/// An object of numbers, each of its domain; `None` if it is something else.
+/// An object of numbers, each in its domain; `None` if it is something else.
 pub(super) fn numbers<const N: usize>(reader: &mut Reader, keys: [(&str, Domain); N]) -> Read<Option<[Given; N]>> {
     let mut given = [Given::Absent; N];
     let is_object = reader.record(&keys.map(|(name, _)| name), |reader, key| {
@@ -36,7 +36,7 @@ pub(super) fn numbers<const N: usize>(reader: &mut Reader, keys: [(&str, Domain)
     Ok(is_object.then_some(given))
 }
 
-/// How many are there, faulty or not.
+/// The number of entries that are present, faulty or not.
 pub(super) fn count(given: &[Given]) -> usize {
     given.iter().filter(|&&given| given != Given::Absent).count()
 }

@@ -11,13 +11,13 @@ use crate::scene::npz::{Archive, Array, Unfit};
 use rayon::prelude::*;
 use std::sync::Arc;
 
-/// A column, and where the scene names it.
+/// A column, and the position at which the scene names it.
 struct Wanted {
     column: HistoryColumn,
     mark: Mark,
 }
 
-/// Reads frames of which every value is an array of the file.
+/// Reads frames in which every value is an array of the file.
 pub(super) fn history_of(
     reader: &mut Reader,
     mentions: &mut Mentions,
@@ -65,11 +65,11 @@ pub(super) fn history_of(
         reader.fault(place, "frames without \"time\"", "frames with the array of their times");
     }
     let times = time.and_then(|time| columns.load(reader, time, times));
-    // Without times it is not known how many states there are.
+    // Without times the number of states is unknown.
     Ok(times.map_or_else(|| History::Frames(Vec::new()), |times| checked(reader, file, times, wanted)))
 }
 
-/// The components of a value that the array of a quantity gives: in the plane, nodes move in it and turn in it.
+/// The components of a value that the array of a quantity provides: in the plane, nodes move and rotate within it.
 fn components(quantity: Quantity, dimension: Dimension) -> Components {
     let in_space = dimension == Dimension::Space;
     match quantity {
@@ -80,11 +80,11 @@ fn components(quantity: Quantity, dimension: Dimension) -> Components {
     }
 }
 
-/// The name of an array, which must stand next.
+/// The name of an array, which must be next in the text.
 fn array_of(reader: &mut Reader, columns: &Columns) -> Read<Option<Reference>> {
     match columns.refer(reader)? {
         Some(array) => Ok(Some(array)),
-        // Something else, which is a fault.
+        // Anything else is a fault.
         None => reader.string("the name of an array").map(|_| None),
     }
 }

@@ -1,4 +1,4 @@
-//! The keys of a scene file, which the schema has too.
+//! The keys of a scene file, which the schema also uses.
 
 use crate::contact::slide_line::Interpolation;
 use crate::formula::quantity::{CLEARANCE, DAMPING_FRACTION, Domain, MU, MU0, PRESSURE_AT_TOUCH, STIFFNESS};
@@ -7,25 +7,25 @@ use crate::formula::quantity::{CLEARANCE, DAMPING_FRACTION, Domain, MU, MU0, PRE
 pub(in crate::scene) const SCENE: [&str; 9] =
     ["title", "dimension", "columns", "orientations", "nodes", "slide_lines", "elements", "frames", "outputs"];
 pub(in crate::scene) const NODE: [&str; 2] = ["at", "orientation"];
-/// Of an orientation in space, of which one stands.
+/// The keys of an orientation in space, of which exactly one must be present.
 pub(in crate::scene) const SPACE_ORIENTATION: [&str; 3] = ["axes", "rotation", "quaternion"];
 pub(in crate::scene) const PLANE_ORIENTATION: [&str; 1] = ["angle"];
-/// Of every element; those of its kind's parameters follow.
+/// The keys of every element, followed by those of its kind's parameters.
 pub(in crate::scene) const ELEMENT: [&str; 3] = ["kind", "nodes", "outputs"];
-/// Of an element that slides.
+/// The keys of a sliding element.
 pub(in crate::scene) const SLIDING_ELEMENT: [&str; 4] = ["kind", "nodes", "outputs", "slide_line"];
 pub(in crate::scene) const FRAME: [&str; 3] = ["time", "nodes", "loads"];
-/// Of a frame of an axisymmetric scene.
+/// The keys of a frame of an axisymmetric scene.
 pub(in crate::scene) const SLIDING_FRAME: [&str; 3] = ["time", "nodes", "pressures"];
 pub(in crate::scene) const MOTION: [&str; 2] = ["u", "ur"];
 pub(in crate::scene) const SLIDE_LINE: [&str; 8] =
     ["type", "nodes", "generate", "smoothing", "pressure", "damping", "friction", "torque_frequency"];
-/// Of nodes that are generated.
+/// The keys of generated nodes.
 pub(in crate::scene) const GENERATE: [&str; 3] = ["first", "last", "increment"];
 /// The types of slide lines.
 pub(in crate::scene) const TYPES: [(&str, Interpolation); 2] =
     [("linear", Interpolation::Linear), ("parabolic", Interpolation::Parabolic)];
-/// Of a pressure law: linear has the first, exponential the two in the middle, hard contact the last.
+/// The keys of a pressure law: linear has the first, exponential the two in the middle, hard contact the last.
 pub(in crate::scene) const PRESSURE: [(&str, Domain); 4] = [
     ("k", STIFFNESS.domain),
     ("c0", CLEARANCE.domain),

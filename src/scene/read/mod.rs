@@ -30,17 +30,17 @@ impl Scene {
     /// Reads the text of a scene and checks it.
     ///
     /// # Errors
-    /// Everything that is wrong with it, each with its JSON path, line, column, what was found and what is allowed.
-    /// Text that is not JSON is the last fault that is found.
+    /// All faults, each with its JSON path, line and column, and with what was found and what is allowed. Text that is not JSON
+    /// is the last fault reported.
     pub fn parse(text: &str) -> Result<Self, Faults> {
         Self::read(text, None)
     }
 
-    /// The same for a text that stands in a file in this folder, beside the file of columns that it may name. All numbers of
-    /// the history are checked and left in that file, which stays open and is read again, state by state, by every run.
+    /// The same for a text in a file in this folder, next to the file of columns that it may name. All numbers of the history are
+    /// checked and left in that file, which stays open and is read again, state by state, by every run.
     ///
     /// # Errors
-    /// As [`Scene::parse`], and everything that is wrong with the columns: the file, the array, and which index.
+    /// As [`Scene::parse`], and all faults of the columns: the file, the array, and the index.
     pub fn parse_in(folder: &Path, text: &str) -> Result<Self, Faults> {
         Self::read(text, Some(folder))
     }
@@ -55,7 +55,8 @@ impl Scene {
     }
 }
 
-/// First where each part stands, then the parts in the order in which they refer to each other. `None` after a fault.
+/// Finds the position of each part first, then reads the parts in the order in which they refer to each other. `None` after a
+/// fault.
 fn scene(reader: &mut Reader, folder: Option<&Path>) -> Read<Option<Scene>> {
     let start = reader.place();
     let mut parts = [None; keys::SCENE.len()];
@@ -79,7 +80,7 @@ fn scene(reader: &mut Reader, folder: Option<&Path>) -> Read<Option<Scene>> {
     let columns = part(reader, "columns", columns, |reader| Columns::read(reader, folder))?.unwrap_or_default();
     let turns = part(reader, "orientations", orientations, |reader| orientations_of(reader, dimension))?;
     let turns = turns.unwrap_or_default();
-    // Without these, everything that refers to them would be another fault.
+    // Without these, every reference to them would be another fault.
     let (Some(_), Some(_)) = (nodes, elements) else { return Ok(None) };
     let nodes = part(reader, "nodes", nodes, |reader| nodes_of(reader, dimension, &turns, &columns))?;
     let Some(Nodes { named: nodes, at }) = nodes else { return Ok(None) };
@@ -123,7 +124,7 @@ fn scene(reader: &mut Reader, folder: Option<&Path>) -> Read<Option<Scene>> {
     Ok(whole())
 }
 
-/// Whether slide lines belong into the scene.
+/// Whether slide lines are allowed in the scene.
 fn belongs(reader: &mut Reader, lines: usize, dimension: Dimension) -> bool {
     let belong = dimension == Dimension::Axisymmetric;
     if !belong {

@@ -1,11 +1,10 @@
-//! Names of the author's choice, and references to them.
+//! Names chosen by the author, and references to them.
 
 use crate::scene::json::{Read, Reader, Stop, some_of};
 use crate::scene::model::{Members, Named};
 
-/// The members of an object whose keys are names, each once; `item` is told its number. An entry with a fault may have a
-/// name all the same, to which others may refer without another fault; where there are no names at all, nothing that could
-/// refer to them is read.
+/// The members of an object whose keys are names, each once; `item` receives its number. A faulty entry may still have a name, to
+/// which others can refer without another fault; if there are no names at all, nothing that could refer to them is read.
 pub(super) fn named<'t, T>(
     reader: &mut Reader<'t>,
     mut item: impl FnMut(&mut Reader<'t>, u32) -> Read<T>,
@@ -13,7 +12,7 @@ pub(super) fn named<'t, T>(
     named_sets(reader, |reader, number| Ok((None, item(reader, number)?)))
 }
 
-/// The same where an entry may be a set of so many.
+/// The same if an entry may be a set with a number of members.
 pub(super) fn named_sets<'t, T>(
     reader: &mut Reader<'t>,
     mut item: impl FnMut(&mut Reader<'t>, u32) -> Read<(Option<u32>, T)>,
@@ -34,7 +33,7 @@ pub(super) fn named_sets<'t, T>(
     if is_object { Ok(all) } else { Err(Stop) }
 }
 
-/// An array of names that must be known: the members that each names that is.
+/// An array of names that must be known, with the members of those that are.
 pub(super) fn refer_all<T>(
     reader: &mut Reader,
     known: &Named<T>,
@@ -51,14 +50,14 @@ pub(super) fn refer_all<T>(
     Ok(is_array.then_some(found))
 }
 
-/// A name that must be known: its number if it is.
+/// A name that must be known, with its number if it is.
 pub(super) fn refer<T>(reader: &mut Reader, known: &Named<T>, what: &str) -> Read<Option<u32>> {
     let place = reader.place();
     let name = reader.string(format_args!("the name of a {what}"))?;
     Ok(name.and_then(|name| look_up(reader, known, place, &name, what)))
 }
 
-/// The number of a name that must be known, of what is no set.
+/// The number of a known name that is not a set.
 pub(super) fn look_up<T>(reader: &mut Reader, known: &Named<T>, place: usize, name: &str, what: &str) -> Option<u32> {
     let members = look_up_all(reader, known, place, name, what)?;
     if members.count().is_some() {
@@ -68,7 +67,7 @@ pub(super) fn look_up<T>(reader: &mut Reader, known: &Named<T>, place: usize, na
     Some(members.number(0))
 }
 
-/// The members that a name stands for, which must be known.
+/// The members of a known name.
 pub(super) fn look_up_all<T>(
     reader: &mut Reader,
     known: &Named<T>,

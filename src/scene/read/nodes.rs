@@ -1,4 +1,4 @@
-//! Nodes, and how they stand: triads by two axes, as a rotation vector, as a quaternion, or by an angle in the plane.
+//! Nodes and their orientations: triads by two axes, as a rotation vector, as a quaternion, or by an angle in the plane.
 
 use super::columns::Columns;
 use super::keys;
@@ -9,7 +9,7 @@ use crate::scene::kind::Dimension;
 use crate::scene::model::{Named, Orientation, SceneNode};
 use crate::scene::npz::{Array, Unfit};
 
-/// How parallel two axes may be: the least sine of the angle between them.
+/// The limit for two axes to count as parallel: the least sine of the angle between them.
 const PARALLEL: f64 = 1e-6;
 
 /// Coordinates or a displacement.
@@ -25,7 +25,7 @@ fn in_plane([x, y]: [f64; 2]) -> [f64; 3] {
     [x, y, 0.0]
 }
 
-/// Nodes and sets of nodes, and where each node is, by its number.
+/// Nodes and sets of nodes, and the position of each node, by its number.
 pub(super) struct Nodes {
     pub(super) named: Named<Option<SceneNode>>,
     pub(super) at: Vec<[f64; 3]>,
@@ -47,7 +47,7 @@ pub(super) fn nodes_of(
                 at = positions(reader, dimension, columns)?;
             } else {
                 orientation = refer(reader, orientations, "orientation")?;
-                // One that is not known is not also a missing one.
+                // An unknown orientation is not also reported as missing.
                 sound = orientation.is_some();
             }
             Ok(())
@@ -70,7 +70,7 @@ pub(super) fn nodes_of(
                 }
                 Some(u32::try_from(all.len() - before).unwrap_or(u32::MAX))
             }
-            // It has a number all the same, to which others may refer; that it is nowhere is a fault, and ends the reading.
+            // It still has a number, to which others can refer; the missing position is a fault, and ends the reading.
             None => None,
         };
         Ok((count, node))
@@ -78,7 +78,7 @@ pub(super) fn nodes_of(
     Ok(Nodes { named, at: all })
 }
 
-/// Where a node is, or the coordinates of each of a set.
+/// The position of a node, or the coordinates of each node of a set.
 enum At {
     One([f64; 3]),
     Each(Vec<f64>),
@@ -96,7 +96,7 @@ fn positions(reader: &mut Reader, dimension: Dimension, columns: &Columns) -> Re
         }
         array.numbers(Domain::Real).map(At::Each)
     };
-    // Without it, it is not known how many there are, and everything that refers to them would be another fault.
+    // Without the array the number of nodes is unknown, and every reference to them would be another fault.
     columns.load(reader, array, load).map(Some).ok_or(Stop)
 }
 

@@ -1,9 +1,9 @@
-//! The outputs that are wanted.
+//! The requested outputs.
 
 use crate::scene::json::{Read, Reader};
 use crate::scene::kind::{Dimension, Kind};
 
-/// Outputs wanted of all elements that have them, each with the place where it stands.
+/// Outputs requested of all elements that have them, each with its position in the text.
 #[derive(Debug, Default)]
 pub(super) struct Outputs(Vec<(String, usize)>);
 
@@ -16,7 +16,7 @@ impl Outputs {
         Self::of(reader, &known)
     }
 
-    /// Those of an element of this kind: a bit per output.
+    /// The outputs of an element of this kind: one bit per output.
     pub(super) fn of_element(reader: &mut Reader, kind: &Kind) -> Read<u64> {
         let known: Vec<_> = kind.outputs().map(|(name, _)| name).collect();
         Ok(Self::of(reader, &known)?.mask(kind))
@@ -39,14 +39,14 @@ impl Outputs {
         Ok(Self(all))
     }
 
-    /// A bit per output of the kind.
+    /// One bit per output of the kind.
     pub(super) fn mask(&self, kind: &Kind) -> u64 {
         let wanted = |name: &str| self.0.iter().any(|(output, _)| output == name);
         let bits = kind.outputs().enumerate().filter(|(_, (name, _))| wanted(name));
         bits.fold(0, |mask, (bit, _)| mask | 1 << bit)
     }
 
-    /// Says which of them none of these kinds has.
+    /// Reports the outputs that none of these kinds has.
     pub(super) fn check(&self, reader: &mut Reader, kinds: &[&Kind]) {
         for (name, place) in self.0.iter().filter(|(name, _)| !kinds.iter().any(|kind| kind.output(name).is_some())) {
             let found = format!("output {name:?}, which no element here has");

@@ -1,4 +1,4 @@
-//! Slide lines as a scene file states them.
+//! Slide lines as defined in a scene file.
 
 use super::given::{Given, count, numbers};
 use super::keys;
@@ -11,7 +11,7 @@ use crate::scene::json::{Read, Reader};
 use crate::scene::model::{Members, Named, SceneLine, SceneNode};
 use std::ops::RangeInclusive;
 
-/// The slide lines of a scene; their nodes have the numbers of the scene's.
+/// The slide lines of a scene; their nodes have the numbers of the scene.
 pub(super) fn slide_lines_of(reader: &mut Reader, nodes: &Named<Option<SceneNode>>) -> Read<Named<Option<SceneLine>>> {
     named(reader, |reader, _| slide_line(reader, nodes))
 }
@@ -60,7 +60,7 @@ fn in_sequence(nodes: Vec<Option<Members>>) -> Vec<Option<u32>> {
     nodes.into_iter().flat_map(|nodes| nodes.map_or_else(|| vec![None], |members| each(members).collect())).collect()
 }
 
-/// A whole number of a range.
+/// A whole number in a range.
 fn whole(reader: &mut Reader, range: RangeInclusive<u32>) -> Read<Option<u32>> {
     let place = reader.place();
     let Some(number) = reader.number(Domain::Real)? else { return Ok(None) };
@@ -74,7 +74,7 @@ fn whole(reader: &mut Reader, range: RangeInclusive<u32>) -> Read<Option<u32>> {
     Ok(found)
 }
 
-/// Nodes whose names are one word with numbers behind it, from a first to a last: `rail 1`, `rail 3`, `rail 5`.
+/// Nodes whose names are a common word followed by numbers, from a first to a last: `rail 1`, `rail 3`, `rail 5`.
 fn generated(reader: &mut Reader, nodes: &Named<Option<SceneNode>>) -> Read<Option<Vec<Option<u32>>>> {
     let place = reader.place();
     let (mut ends, mut increment) = ([None, None], Some(1));
@@ -111,7 +111,7 @@ fn generated(reader: &mut Reader, nodes: &Named<Option<SceneNode>>) -> Read<Opti
     let mut found = Vec::new();
     for number in (from..=to).step_by(increment as usize) {
         found.push(look_up(reader, nodes, place, &format!("{word}{number}"), "node"));
-        // A wrong end may count billions.
+        // An erroneous end may count billions.
         if found.ends_with(&[None]) {
             break;
         }
@@ -119,7 +119,7 @@ fn generated(reader: &mut Reader, nodes: &Named<Option<SceneNode>>) -> Read<Opti
     Ok(Some(found))
 }
 
-/// A name that ends in a number: what stands before it, and the number.
+/// A name that ends in a number: the text before it, and the number.
 fn numbered(name: &str) -> Option<(&str, u32)> {
     let word = name.trim_end_matches(|c: char| c.is_ascii_digit());
     Some((word, name[word.len()..].parse().ok()?))
@@ -157,7 +157,7 @@ fn type_of(reader: &mut Reader) -> Read<Option<Interpolation>> {
     Ok(found)
 }
 
-/// The law, by which of its parameters are given.
+/// The pressure law, determined by which of its parameters are given.
 fn pressure_of(reader: &mut Reader) -> Read<Option<Interaction>> {
     use Given::{Absent, Number};
     let place = reader.place();
@@ -183,7 +183,7 @@ fn pressure_of(reader: &mut Reader) -> Read<Option<Interaction>> {
     }
 }
 
-/// An object of which every number must be given.
+/// An object in which every number must be given.
 fn all_of<const N: usize>(reader: &mut Reader, keys: [(&str, Domain); N]) -> Read<Option<[f64; N]>> {
     let place = reader.place();
     let Some(given) = numbers(reader, keys)? else { return Ok(None) };

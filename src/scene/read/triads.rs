@@ -1,20 +1,21 @@
-//! Which triads connectors measure in: that of the first node is required; the second node has it too where none is given.
+//! The triads in which connectors measure: that of the first node is required; the second node has the same unless another is
+//! given.
 
 use crate::scene::json::Reader;
 use crate::scene::kind::{Kind, Origin};
 use crate::scene::model::{Members, Named, SceneNode};
 use std::collections::HashMap;
 
-/// Orientations that nodes without one have from the first node of their connector, by the place of a node or a set of
-/// nodes in the scene.
+/// Orientations that nodes without one inherit from the first node of their connector, by the index of a node or a set of nodes
+/// in the scene.
 #[derive(Default)]
 pub(super) struct Inherited {
     of: HashMap<usize, u32>,
 }
 
 impl Inherited {
-    /// Says what is wrong with the triads of a connector that stands at a place, and notes what its second node has from the
-    /// first.
+    /// Reports faults in the triads of a connector at a position in the text, and records which orientation its second node
+    /// inherits from the first.
     pub(super) fn check(
         &mut self,
         reader: &mut Reader,
@@ -46,14 +47,14 @@ impl Inherited {
         }
     }
 
-    /// Gives them to the nodes.
+    /// Sets the inherited orientations of the nodes.
     pub(super) fn give(&self, place: usize, node: SceneNode) -> SceneNode {
         SceneNode { orientation: node.orientation.or_else(|| self.of.get(&place).copied()) }
     }
 }
 
 impl Kind {
-    /// Whether it measures in the triad of a node, by its place.
+    /// Whether it measures in the triad of a node, given by its index.
     fn reads_triad(&self, node: usize) -> bool {
         self.origins().any(|origin| matches!(origin, Origin::Axis(of, _) if of == node))
     }

@@ -1,4 +1,4 @@
-//! Which axes a SLIDER eliminates.
+//! The axes that a SLIDER eliminates.
 
 #![expect(clippy::inline_always, reason = "a call would write the inputs to memory, and wait for them there")]
 
@@ -10,7 +10,7 @@ use crate::formula::{Component, Document, Formula, Given, Jacobian, Spec};
 use crate::number::scalar::Scalar;
 use nalgebra::{Vector2, Vector3};
 
-/// Which coordinates are eliminated.
+/// The eliminated coordinates.
 pub const AXES: Quantity = Quantity::new(
     r"\mathbf{a}",
     Shape::Vec2,
@@ -19,7 +19,7 @@ pub const AXES: Quantity = Quantity::new(
     "the axes i and j of the eliminated coordinates XMI and XMJ, as 1, 2 or 3",
 );
 
-/// Which coordinate is eliminated in the plane.
+/// The eliminated coordinate in the plane.
 pub const AXIS: Quantity = Quantity::new(
     r"a",
     Shape::Scalar,

@@ -1,4 +1,4 @@
-//! Every formula that scenes add to the documented ones.
+//! Every formula that scenes use in addition to the documented ones.
 
 use super::{
     Accumulated, Alignment, Bearing, Follow, Increment, Joining, KeptAxis, KeptAxis2d, Kinetic, PivotAxes, PivotAxis2d,

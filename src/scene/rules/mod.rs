@@ -1,8 +1,8 @@
-//! What a scene needs between the documented formulas: friction over increments, angles fit for programs, and the
-//! coordinate that a sliding node keeps.
+//! The formulas that a scene needs in addition to the documented ones: friction over increments, angles suited to programs, and
+//! the coordinate that a sliding node keeps.
 //!
-//! These are [`Formula`]s like any other, so the audit of this crate proves their Jacobians too; they are
-//! not in the [catalog](crate::catalog), which holds what the documents print.
+//! These are [`Formula`]s like any other, so the audit of this crate proves their Jacobians too; they are not in the
+//! [catalog](crate::catalog), which contains the formulas of the documents.
 
 #![expect(clippy::inline_always, reason = "a call would write the inputs to memory, and wait for them there")]
 
@@ -49,7 +49,7 @@ pub const TOTAL: Quantity = scalar(r"s", Unit::L, Domain::NonNegative, "accumula
 /// Accumulated slip at the start of the increment.
 pub const TOTAL_BEFORE: Quantity = scalar(r"s^-", Unit::L, Domain::NonNegative, "accumulated slip in the last state");
 
-/// Why all of these are ours.
+/// The reason why all of these are ours.
 const WHY: &str = "the page says when it sticks, and not how one state follows from another";
 
 const fn spec(id: &'static str, title: &'static str, latex: &'static str) -> Spec {
@@ -80,29 +80,29 @@ impl Formula for Increment {
     }
 }
 
-/// Stick stiffness of a joint that turns.
+/// Stick stiffness of a joint that rotates.
 pub const TURN_STICK: Quantity =
     scalar(r"k", Unit::FL, Domain::Positive, "rotational stiffness in stick, moment per radian");
-/// An angle as it is read off the triads.
+/// An angle computed from the triads.
 pub const ANGLE: Quantity = scalar(r"\alpha", Unit::ONE, Domain::Angle, "angle, from −π to below π");
 /// The angle at the start.
 pub const ANGLE_START: Quantity = scalar(r"\alpha_0", Unit::ONE, Domain::Angle, "angle at the start");
 /// The rotation in the last state.
 pub const TURNED: Quantity = scalar(r"u_r^-", Unit::ONE, Domain::Angle, "available rotation in the last state");
-/// The angle, with the full turns that were made.
+/// The angle, including full turns.
 pub const FOLLOWED: Quantity =
     scalar(r"\alpha^{\mathrm{full}}", Unit::ONE, Domain::Angle, "angle, followed from state to state over full turns");
 
 fields! {
-    /// The angle as it is read off, at the start, and the rotation in the last state.
+    /// The computed angle, its initial value, and the rotation in the last state.
     pub struct Sighting<T> { angle: T = ANGLE, start: T = ANGLE_START, turned: T = TURNED }
 }
 fields! {
-    /// The angle with the full turns that were made.
+    /// The angle including full turns.
     pub struct Followed<T> { followed: T = FOLLOWED }
 }
 
-/// The angle, less or more full turns, that is nearest to the one in the last state.
+/// The angle plus the number of full turns that brings it nearest to the one in the last state.
 #[derive(Clone, Copy, Debug)]
 pub struct Follow;
 
@@ -129,7 +129,7 @@ impl Formula for Follow {
 }
 
 fields! {
-    /// The slip of the increment, and the slip so far.
+    /// The slip of the increment, and the slip before it.
     pub struct Slips<T> { slip: T = SLIP, slip_before: T = TOTAL_BEFORE }
 }
 fields! {
@@ -152,10 +152,10 @@ impl Formula for Accumulated {
     }
 }
 
-/// What acts along a free direction beside friction.
+/// The load along a free direction, without friction.
 pub const F_LOAD: Quantity =
     scalar(r"f_1^{\mathrm{load}}", Unit::F, Domain::Real, "kinetic force that the connector is loaded with");
-/// All that acts along a free direction.
+/// The total force along a free direction.
 pub const F_KINETIC: Quantity = scalar(r"f_1", Unit::F, Domain::Real, "kinetic force, friction included");
 
 fields! {
@@ -167,7 +167,7 @@ fields! {
     pub struct KineticSum<T> { f_kinetic: T = F_KINETIC }
 }
 
-/// What acts along a free direction: the load there and the friction that was found, f1 = f_load + f.
+/// The total force along a free direction: the load and the computed friction force, f1 = f_load + f.
 #[derive(Clone, Copy, Debug)]
 pub struct Kinetic;
 
@@ -188,15 +188,15 @@ impl Formula for Kinetic {
 }
 
 fields! {
-    /// A force that friction transmits.
+    /// A friction force.
     pub struct Transmitted<T> { csf: T = F_TANGENTIAL }
 }
 fields! {
-    /// Its size.
+    /// Its magnitude.
     pub struct TractionSize<T> { p: T = P }
 }
 
-/// The tangential traction of the friction that was found: P = |f|.
+/// The tangential traction of the computed friction force: P = |f|.
 #[derive(Clone, Copy, Debug)]
 pub struct Traction;
 
@@ -228,7 +228,7 @@ fields! {
 }
 
 impl<D: Scalar> JoinLoads<D> {
-    /// The same sum along a's axes as that of ALIGN's moments.
+    /// The sum along a's axes is the same as that of ALIGN's moments.
     #[inline(always)]
     fn moments(&self) -> Moments<D> {
         let Self { e1a, e2a, e3a, f1, f2, f3 } = *self;
@@ -259,7 +259,7 @@ impl Formula for Joining {
     }
 }
 
-/// The Cardan angles with which a joint starts, β from two arguments; refused so near ±90° that residuals are useless.
+/// The Cardan angles with which a joint starts, with β from two arguments; rejected so close to ±90° that residuals are useless.
 #[derive(Clone, Copy, Debug)]
 pub struct Turns;
 
@@ -288,7 +288,7 @@ impl Formula for Turns {
     }
 }
 
-/// ALIGN's residuals with β from two arguments, and with differences of α and γ taken as angles from −π to π.
+/// ALIGN's residuals with β from two arguments, and with differences of α and γ reduced to angles from −π to π.
 #[derive(Clone, Copy, Debug)]
 pub struct Alignment;
 

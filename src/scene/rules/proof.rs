@@ -1,4 +1,4 @@
-//! Evidence for the formulas next door.
+//! Evidence for the formulas of the parent module.
 
 use super::axes::{LineNodes, LineNodes2d};
 use super::{
@@ -15,8 +15,8 @@ use std::f64::consts::PI;
 
 impl Proved for Increment {}
 
-/// It rounds a number, which its graph does not hold: what jumps is looked for at these cases. It jumps by a full turn
-/// at half a turn, where no double lies.
+/// It rounds a number, which cannot be represented in its graph: jumps are therefore searched for at these cases. It jumps by a
+/// full turn at half a turn, which is not a double.
 impl Proved for Follow {
     fn cases() -> Vec<Case<Sighting<f64>>> {
         let sighting = |angle, start, turned| Sighting { angle, start, turned };
@@ -53,7 +53,7 @@ impl Proved for Turns {
     }
 }
 
-/// Half a turn from the start is a double only where the start is 0.
+/// Half a turn from the start is a double only if the initial value is 0.
 impl Proved for Alignment {
     fn invalid_cases() -> Vec<Case<Orientations<f64>>> {
         let locked = turns::gimbal_locked().into_iter();

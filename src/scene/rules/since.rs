@@ -1,4 +1,4 @@
-//! How far b has turned since the start, seen from a: what stays regular wherever b stood there.
+//! The rotation of b since the start, relative to a: angles that are regular for every initial orientation of b.
 
 #![expect(clippy::inline_always, reason = "a call would write the inputs to memory, and wait for them there")]
 
@@ -13,30 +13,30 @@ const fn vector(latex: &'static str, domain: Domain, meaning: &'static str) -> Q
     Quantity::new(latex, Shape::Vec3, Unit::ONE, domain, meaning)
 }
 
-/// First axis of b, seen from a.
+/// First axis of b, relative to a.
 pub const R1: Quantity = vector(r"\mathbf{r}_1", Domain::Real, "first axis of b as components in a's triad");
-/// Second axis of b, seen from a.
+/// Second axis of b, relative to a.
 pub const R2: Quantity = vector(r"\mathbf{r}_2", Domain::Real, "second axis of b as components in a's triad");
-/// Third axis of b, seen from a.
+/// Third axis of b, relative to a.
 pub const R3: Quantity = vector(r"\mathbf{r}_3", Domain::Real, "third axis of b as components in a's triad");
-/// First axis of b, seen from a at the start.
+/// First axis of b, relative to a at the start.
 pub const R10: Quantity = vector(r"\mathbf{r}_{10}", Domain::Real, "first axis of b in a's triad at the start");
-/// Second axis of b, seen from a at the start.
+/// Second axis of b, relative to a at the start.
 pub const R20: Quantity = vector(r"\mathbf{r}_{20}", Domain::Real, "second axis of b in a's triad at the start");
-/// Third axis of b, seen from a at the start.
+/// Third axis of b, relative to a at the start.
 pub const R30: Quantity = vector(r"\mathbf{r}_{30}", Domain::Real, "third axis of b in a's triad at the start");
-/// First axis, turned back.
+/// First axis of a at the start, rotated with b.
 pub const Q1: Quantity =
     vector(r"\mathbf{q}_1", Domain::Vector, "where b has turned the first axis of a since the start");
-/// Second axis, turned back.
+/// Second axis of a at the start, rotated with b.
 pub const Q2: Quantity =
     vector(r"\mathbf{q}_2", Domain::Vector, "where b has turned the second axis of a since the start");
-/// Third axis, turned back.
+/// Third axis of a at the start, rotated with b.
 pub const Q3: Quantity =
     vector(r"\mathbf{q}_3", Domain::Vector, "where b has turned the third axis of a since the start");
 
 fields! {
-    /// The axes of b, seen from a.
+    /// The axes of b, relative to a.
     pub struct Seen<T> { r1: Vector3<T> = R1, r2: Vector3<T> = R2, r3: Vector3<T> = R3 }
 }
 
@@ -78,20 +78,21 @@ impl Formula for Bearing {
 }
 
 fields! {
-    /// The triad of b, and how it was seen from a at the start.
+    /// The triad of b, and its initial components relative to a.
     pub struct Carried<T> {
         e1b: Vector3<T> = E1B, e2b: Vector3<T> = E2B, e3b: Vector3<T> = E3B,
         r10: Vector3<T> = R10, r20: Vector3<T> = R20, r30: Vector3<T> = R30,
     }
 }
 fields! {
-    /// Where b has turned the axes of a since the start.
+    /// The initial axes of a, rotated with b since the start.
     pub struct TurnedAxes<T> { q1: Vector3<T> = Q1, q2: Vector3<T> = Q2, q3: Vector3<T> = Q3 }
 }
 
-/// Where b has turned the axes that a had at the start: q_j = r10_j e1b + r20_j e2b + r30_j e3b.
+/// The initial axes of a, rotated with b since the start: q_j = r10_j e1b + r20_j e2b + r30_j e3b.
 ///
-/// At the start they are a's axes, wherever b stands; their Cardan angles to a are 0 there, with condition number 1.
+/// At the start they are a's axes, for every orientation of b; their Cardan angles relative to a are 0 there, with condition
+/// number 1.
 #[derive(Clone, Copy, Debug)]
 pub struct TurnedBack;
 

@@ -1,4 +1,4 @@
-//! Elements block by block; while one is evaluated, the next is brought from memory into the cache.
+//! Elements block by block; while one block is evaluated, the next is prefetched into the cache.
 
 use super::nodes::NodeStates;
 use crate::number::prefetch::{LINE, prefetch};
@@ -8,13 +8,13 @@ use crate::scene::plan::Group;
 /// One of the nodes of each element of a block.
 #[derive(Debug)]
 pub(super) struct End {
-    /// Where the nodes are found.
+    /// The indices of the nodes.
     pub(super) places: Column<u32>,
-    /// The triad that all of them share, if they do.
+    /// The triad shared by all of them, if any.
     pub(super) triad: Option<u32>,
 }
 
-/// The blocks of a task that are still to come: what their elements keep, and their nodes.
+/// The remaining blocks of a task: the persistent registers of their elements, and their nodes.
 pub(super) struct Blocks<'b, T> {
     pub(super) group: &'b Group,
     pub(super) nodes: &'b NodeStates<'b, T>,
@@ -33,7 +33,7 @@ impl<'b, T> Iterator for Blocks<'b, T> {
 }
 
 impl<T: Number> Blocks<'_, T> {
-    /// Brings one of so many parts of the next block from memory. All at once would take longer than the memory needs.
+    /// Prefetches one of `parts` parts of the next block. Prefetching everything at once would take longer than the memory needs.
     pub(super) fn prefetch(&self, part: usize, parts: usize) {
         let share = |of: usize| of * part / parts..of * (part + 1) / parts;
         let columns = self.group.recipe.lasting.min(self.lasting.len());

@@ -10,17 +10,17 @@ use arrayvec::ArrayVec;
 use nalgebra::Vector2;
 use rayon::prelude::*;
 
-/// A slide line, and what its slave nodes and elements have in the current state.
+/// A slide line, with the current state of its slave nodes and elements.
 #[derive(Debug)]
 pub(super) struct ContactRun<'s, T> {
     plan: &'s ContactPlan<'s>,
     slaves: Vec<SlaveRun<T>>,
-    /// The areas of every element of which they are wanted.
+    /// The areas of every element for which they are requested.
     areas: Vec<ArrayVec<T, 3>>,
     /// The torque of every element, and that of the line.
     torques: Vec<T>,
     total: T,
-    /// How many states there were, and whether the torque is a result of the current one.
+    /// The number of states so far, and whether the torque is a result of the current one.
     states: u32,
     shows_torque: bool,
     tally: Tally,
@@ -36,12 +36,12 @@ struct SlaveRun<T> {
     multiplier: f64,
 }
 
-/// Where nodes are and were, and how long it took them.
+/// The positions and displacements of nodes, and the duration of the increment.
 pub(super) struct Increment<'m, T> {
     pub(super) nodes: &'m NodeStates<'m, T>,
-    /// Unknown in the first state, which nothing leads to.
+    /// `None` in the first state, before which there is no increment.
     pub(super) duration: Option<f64>,
-    /// What changes of the pressures of hard contact.
+    /// The changes of the pressures of hard contact.
     pub(super) pressures: &'m Changes<f64>,
     /// Whether the state is the last.
     pub(super) is_last: bool,
@@ -59,7 +59,7 @@ impl<T: Number> Motion<T> for Increment<'_, T> {
     }
 }
 
-/// What a share of the slave nodes did.
+/// The outcome of a part of the slave nodes.
 #[derive(Default)]
 struct Outcome {
     tally: Tally,
@@ -67,7 +67,7 @@ struct Outcome {
 }
 
 impl Outcome {
-    /// Together with that of the nodes that follow.
+    /// Combines it with the outcome of the nodes that follow.
     fn and(mut self, next: Self) -> Self {
         self.tally.add_all(&next.tally);
         self.failures.extend(next.failures);
@@ -90,7 +90,7 @@ impl<'s, T: Number> ContactRun<'s, T> {
         }
     }
 
-    /// The next state, or everything that goes wrong in it.
+    /// Advances to the next state, or returns all failures in it.
     pub(super) fn advance(&mut self, increment: &Increment<'_, T>) -> Result<(), Vec<Failure>> {
         let placed = self.plan.surface.place(increment).map_err(|failure| vec![failure])?;
         let advance = |mut all: Outcome, (run, &slave): (&mut SlaveRun<T>, &Slave)| {
@@ -116,7 +116,7 @@ impl<'s, T: Number> ContactRun<'s, T> {
         self.measure(increment).and_then(|()| self.turn(increment)).map_err(|failure| vec![failure])
     }
 
-    /// The areas that are wanted.
+    /// Computes the requested areas.
     fn measure(&mut self, increment: &Increment<'_, T>) -> Result<(), Failure> {
         let elements = self.areas.iter_mut().zip(&self.plan.elements);
         for (of_element, WantedElement { element, .. }) in elements.filter(|(_, element)| element.wants(Output::Area)) {
@@ -125,7 +125,7 @@ impl<'s, T: Number> ContactRun<'s, T> {
         Ok(())
     }
 
-    /// The torques that are wanted, from the pressures that push.
+    /// Computes the requested torques, from the positive pressures.
     fn turn(&mut self, increment: &Increment<'_, T>) -> Result<(), Failure> {
         self.total = T::zero();
         let elements = self.torques.iter_mut().zip(&self.plan.elements);
@@ -144,13 +144,13 @@ impl<'s, T: Number> ContactRun<'s, T> {
         self.plan.name
     }
 
-    /// How often each formula was evaluated so far.
+    /// The number of evaluations of each formula so far.
     pub(super) fn tally(&self) -> &Tally {
         &self.tally
     }
 
-    /// Results of the current state: those of the elements, by their numbers, in the order of the file, then the torque of
-    /// the line, which has no number.
+    /// Results of the current state: those of the elements, by their numbers, in the order of the file, then the torque of the
+    /// line, which has no number.
     pub(super) fn for_each_result(&self, limit: usize, visit: &mut impl FnMut(Option<u32>, &'static str, &[T])) {
         for (k, element) in self.plan.elements.iter().enumerate().take(limit) {
             for &output in &element.outputs {
@@ -163,7 +163,7 @@ impl<'s, T: Number> ContactRun<'s, T> {
         }
     }
 
-    /// The outputs of the elements by their numbers, and how many components each has, in the order of the results.
+    /// The outputs of the elements by their numbers, each with its number of components, in the order of the results.
     pub(super) fn outputs(&self) -> impl Iterator<Item = (Option<u32>, &'static str, usize)> {
         let of_element = |element: &'s WantedElement| {
             let slaves = element.slaves.len();
@@ -179,7 +179,7 @@ impl<'s, T: Number> ContactRun<'s, T> {
         self.plan.elements.iter().flat_map(of_element).chain(torque)
     }
 
-    /// The components of an output of an element, which has this place among those of the plan.
+    /// The components of an output of an element, which has this index in the plan.
     fn components(&self, place: usize, element: &WantedElement, output: Output) -> ArrayVec<T, 6> {
         let slaves = element.slaves.iter().map(|&slave| &self.slaves[slave]);
         match output {
@@ -195,7 +195,7 @@ impl<'s, T: Number> ContactRun<'s, T> {
         }
     }
 
-    /// Bytes that last from state to state.
+    /// The number of bytes that persist from state to state.
     pub(super) fn bytes(&self) -> usize {
         size_of_val(&*self.slaves) + size_of_val(&*self.areas) + size_of_val(&*self.torques)
     }

@@ -7,30 +7,30 @@ use indexmap::IndexMap;
 use rayon::prelude::*;
 use std::ops::Range;
 
-/// Where the rows of every column come from.
+/// The sources of the rows of every column.
 #[derive(Debug)]
 pub(in crate::scene) struct Gathered<'s> {
-    /// Those of slide lines first, then those of the other elements in the order of the file.
+    /// First those of slide lines, then those of the other elements in the order of the file.
     pub(in crate::scene) columns: Vec<Gather<'s>>,
-    /// Of every result of the slide lines in turn: its column, and its place there.
+    /// For every result of the slide lines in turn: its column, and its index there.
     slid: Vec<[usize; 2]>,
 }
 
-/// Where the rows of a column come from: an output of an element, of a set of elements, or of a slide line.
+/// The source of the rows of a column: an output of an element, of a set of elements, or of a slide line.
 #[derive(Debug)]
 pub(in crate::scene) struct Gather<'s> {
     pub(in crate::scene) name: &'s str,
     pub(in crate::scene) output: &'static str,
-    /// How many elements a set has; `None` of what is no set.
+    /// The number of elements in a set; `None` if it is not a set.
     pub(in crate::scene) count: Option<usize>,
-    /// Components of each.
+    /// The number of components of each.
     pub(in crate::scene) width: usize,
-    /// None of what slides.
+    /// Empty for sliding elements.
     pieces: Vec<Piece>,
 }
 
 impl Gather<'_> {
-    /// How many numbers there are along each axis: states; the elements of a set; components, where there are several.
+    /// The count of numbers along each axis: states; the elements of a set; components, if there are several.
     pub(in crate::scene) fn shape(&self, states: usize) -> Vec<usize> {
         let components = Some(self.width).filter(|&width| width > 1);
         [Some(states), self.count, components].into_iter().flatten().collect()
@@ -42,18 +42,18 @@ impl Gather<'_> {
     }
 }
 
-/// Elements of a set that stand next to each other in a group.
+/// Elements of a set that are consecutive in a group.
 #[derive(Clone, Debug)]
 struct Piece {
     group: usize,
     places: Range<usize>,
-    /// The first of them in the set.
+    /// The index of the first of them in the set.
     member: usize,
     span: Span,
 }
 
 impl<'s, T: Number> Run<'s, T> {
-    /// Where the rows of every column come from.
+    /// The sources of the rows of every column.
     pub(in crate::scene) fn gathered(&self) -> Gathered<'s> {
         let elements = &self.scene.elements;
         let mut sliding = IndexMap::new();
@@ -102,7 +102,7 @@ impl<'s, T: Number> Run<'s, T> {
         pieces.first().map(outputs).into_iter().flatten().enumerate().map(of_output).collect()
     }
 
-    /// Copies the results of the current state to a row for every column; NaN where a result is not there.
+    /// Copies the results of the current state to one row per column; NaN where a result does not exist.
     pub(in crate::scene) fn gather(&self, gathered: &Gathered<'_>, rows: &mut [&mut [f64]]) {
         let columns = rows.par_iter_mut().zip(&gathered.columns);
         columns.for_each(|(row, Gather { width, pieces, .. })| {
@@ -129,7 +129,7 @@ pub(in crate::scene) fn array_name(element: &str, output: &str) -> String {
     format!("{element}/{output}")
 }
 
-/// The name of an element or a set by its place, and how many a set has.
+/// The name of an element or a set by its index, and the number of members in a set.
 fn name_of(elements: &Named<SceneElement>, place: usize) -> (&str, Option<usize>) {
     let (name, members, _) = elements.nth(place);
     (name, members.count().map(|count| count as usize))

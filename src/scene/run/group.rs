@@ -1,4 +1,4 @@
-//! The elements of a group: what they keep, and how their formulas are evaluated, block by block.
+//! The elements of a group: their persistent registers, and the evaluation of their formulas, block by block.
 
 use super::blocks::{Blocks, End};
 use super::nodes::NodeStates;
@@ -11,25 +11,25 @@ use arrayvec::ArrayVec;
 use rayon::prelude::*;
 use std::ops::Range;
 
-/// What the elements of a group keep from state to state, their results among it.
+/// The values that the elements of a group keep from state to state, including their results.
 #[derive(Debug)]
 pub(super) struct GroupState<T> {
-    /// Block by block, a column per register that lasts.
+    /// Block by block, one column per persistent register.
     lasting: Vec<Column<T>>,
-    /// Room for the other registers of a block.
+    /// Memory for the other registers of a block.
     passing: Vec<Column<T>>,
     /// Block by block, node by node.
     ends: Vec<End>,
-    /// How often the initial configuration and a state were evaluated.
+    /// The number of evaluations of the initial configuration, and of states.
     starts: usize,
     states: usize,
 }
 
 impl<T: Number> GroupState<T> {
-    /// The elements with their parameters, and zeros.
+    /// The elements with their parameters, and zeros otherwise.
     pub(super) fn new(scene: &Scene, group: &Group, nodes: &NodeStates<'_, T>) -> Self {
         let recipe = &group.recipe;
-        // Written to here: pages of a zeroed `vec!` would be mapped one by one in the first state.
+        // The zeros are written explicitly: the pages of a zeroed `vec!` would be mapped one by one in the first state.
         let zeros = |columns: usize| -> Vec<_> { std::iter::repeat_n([T::zero(); LANES], columns).collect() };
         let mut lasting = zeros(group.elements.len().div_ceil(LANES) * recipe.lasting);
         let mut ends = Vec::new();
@@ -73,7 +73,7 @@ impl<T: Number> GroupState<T> {
         tasks.map_with(self.passing.clone(), evaluate).flatten_iter().collect()
     }
 
-    /// How often each formula was evaluated so far.
+    /// The number of evaluations of each formula so far.
     pub(super) fn counts(&self, group: &Group) -> impl Iterator<Item = (&'static str, usize)> {
         let elements = group.elements.len();
         let passes = [(&group.recipe.start, self.starts), (&group.recipe.state, self.states)];
@@ -88,7 +88,7 @@ impl<T: Number> GroupState<T> {
         block[span.range()].iter().map(move |column| column[element % LANES])
     }
 
-    /// Copies the components of an output of these elements, next to each other for each element.
+    /// Copies the components of an output of these elements, contiguously for each element.
     pub(super) fn copy(&self, group: &Group, elements: Range<usize>, span: Span, to: &mut [f64]) {
         let mut rest = to;
         let mut element = elements.start;
@@ -104,22 +104,22 @@ impl<T: Number> GroupState<T> {
         }
     }
 
-    /// Bytes that last from state to state.
+    /// The number of bytes that persist from state to state.
     pub(super) fn bytes(&self) -> usize {
         size_of_val(&*self.lasting) + size_of_val(&*self.ends)
     }
 }
 
-/// What a state is evaluated from.
+/// The inputs for the evaluation of a state.
 pub(super) struct Inputs<'i, T> {
     pub(super) group: &'i Group,
     pub(super) nodes: &'i NodeStates<'i, T>,
-    /// A state; without one it is the initial configuration, without loads.
+    /// The state; `None` for the initial configuration, without loads.
     pub(super) frame: Option<&'i Frame>,
 }
 
 impl<T: Number> Inputs<'_, T> {
-    /// The elements of a task, of which the first has this place in the group, block by block.
+    /// Evaluates the elements of a task, block by block; `first` is the index of its first element in the group.
     fn evaluate(
         &self,
         pass: &Pass,
@@ -151,15 +151,15 @@ impl<T: Number> Inputs<'_, T> {
         failures
     }
 
-    /// The loads that are needed: their registers, what changes of them, and the place there of the first from this
-    /// element on.
+    /// The needed loads: their registers, their changes, and the index of the first change at or after this element.
     fn loads_from(&self, element: u32) -> Vec<(usize, &Changes<f64>, usize)> {
         let changed = self.frame.into_iter().flat_map(|frame| &frame.loads);
         let loads = self.group.recipe.loads.iter().zip(changed);
         loads.filter_map(|(register, changes)| Some(((*register)?, changes, changes.place(0, element)))).collect()
     }
 
-    /// Reads what a block's elements need of their nodes. A triad that all of them share stays where it was spread.
+    /// Reads the quantities of their nodes that a block's elements need. A triad shared by all of them is kept after it was
+    /// spread.
     fn read(&self, pass: &Pass, ends: &[End], lanes: &mut Lanes<'_, T>, spread: &mut [Option<u32>]) {
         let nodes = self.nodes;
         for (&(origin, span), spread) in pass.reads.iter().zip(spread) {
@@ -181,7 +181,7 @@ impl<T: Number> Inputs<'_, T> {
     }
 }
 
-/// Takes over what changes of these elements, from a place of the changes on; gives the place after them.
+/// Applies the changes of these elements, starting at an index of the changes; returns the index after them.
 fn take_over<T: Number>(changes: &Changes<f64>, place: usize, elements: &[u32], column: &mut [T]) -> usize {
     let all = place..place + elements.len();
     if changes.of.get(all.clone()) == Some(elements) {

@@ -1,9 +1,9 @@
-//! Evaluating a plan, state after state.
+//! Evaluation of a plan, state after state.
 //!
-//! Elements are taken in blocks; each block has its own registers, and no element sees another, so the results do not
-//! depend on how many threads there are. What lasts from state to state is what the plan keeps per element, the
-//! results of the last state, and initial position and triad per node; displacements are read where the frame holds them.
-//! Of a history in columns, one state is in memory.
+//! Elements are evaluated in blocks; each block has its own registers, and elements are independent of each other, so the results
+//! do not depend on the number of threads. The data that persist from state to state are those that the plan keeps per element,
+//! the results of the last state, and the initial position and triad of each node; displacements are read from the frame. For a
+//! history in columns, one state is in memory.
 
 mod blocks;
 mod contact;
@@ -28,29 +28,29 @@ use indexmap::IndexMap;
 use nodes::NodeStates;
 use states::States;
 
-/// Problems that are listed.
+/// The maximum number of problems that are listed.
 const LISTED: usize = 100;
 
-/// A scene that is being evaluated in `T`: `f64`, or [`Octuple`](crate::Octuple) for the exact results.
+/// A scene being evaluated in `T`: `f64`, or [`Octuple`](crate::Octuple) for the exact results.
 #[derive(Debug)]
 pub struct Run<'s, T> {
     scene: &'s Scene,
     plan: &'s Plan<'s>,
-    /// How many states there were, and those to come.
+    /// The number of states so far, and the remaining ones.
     states: usize,
     frames: States<'s>,
     nodes: NodeStates<'s, T>,
     groups: Vec<GroupState<T>>,
-    /// Group, and place in it, of every element of which something is wanted.
+    /// The group, and the index in it, of every element with requested outputs.
     places: Vec<Option<[u32; 2]>>,
     contacts: Vec<ContactRun<'s, T>>,
 }
 
 impl<'s, T: Number> Run<'s, T> {
-    /// The initial configuration.
+    /// Evaluates the initial configuration.
     ///
     /// # Errors
-    /// A formula that is undefined there, and an array of the history that cannot be read.
+    /// A formula that is undefined there, or an array of the history that cannot be read.
     pub fn new(plan: &'s Plan<'s>) -> Result<Self, Stopped> {
         let scene = plan.scene;
         let frames = States::new(&scene.history)?;
@@ -68,10 +68,11 @@ impl<'s, T: Number> Run<'s, T> {
         if problems.is_empty() { Ok(run) } else { Err(Problems(problems).into()) }
     }
 
-    /// The next state; `false` if there is none.
+    /// Advances to the next state; `false` if there is none.
     ///
     /// # Errors
-    /// A formula that is undefined there, a result that no double can hold, and an array of the history that cannot be read.
+    /// A formula that is undefined there, a result that a double cannot represent, or an array of the history that cannot be
+    /// read.
     pub fn advance(&mut self) -> Result<bool, Stopped> {
         let Some(mut frame) = self.frames.advance()? else { return Ok(false) };
         self.nodes.advance(&mut frame);
@@ -83,7 +84,7 @@ impl<'s, T: Number> Run<'s, T> {
         if problems.is_empty() { Ok(true) } else { Err(Problems(problems).into()) }
     }
 
-    /// Evaluates every element in a frame, or without one in the initial configuration.
+    /// Evaluates every element in a frame, or in the initial configuration if there is none.
     fn evaluate(&mut self, frame: Option<&Frame>) -> Vec<Problem> {
         let mut problems = Vec::new();
         for (group, state) in self.plan.groups.iter().zip(&mut self.groups) {
@@ -98,7 +99,7 @@ impl<'s, T: Number> Run<'s, T> {
         problems
     }
 
-    /// The next state of the slide lines.
+    /// Advances the slide lines to the next state.
     fn slide(&mut self, frame: &Frame) -> Vec<Problem> {
         let history = &self.scene.history;
         let duration = self.states.checked_sub(1).map(|last| frame.time - history.time(last));
@@ -116,8 +117,8 @@ impl<'s, T: Number> Run<'s, T> {
         problems
     }
 
-    /// Results of the current state: for the first elements in the order of the file, output by output, the components;
-    /// then for every slide line of which it is wanted the torque.
+    /// Results of the current state: the components of each output of the first elements in the order of the file; then the
+    /// torque of every slide line for which it is requested.
     pub fn for_each_result(&self, elements: usize, mut visit: impl FnMut(&str, &'static str, &[T])) {
         let names = &self.scene.elements;
         let mut name = String::new();
@@ -143,8 +144,8 @@ impl<'s, T: Number> Run<'s, T> {
         }
     }
 
-    /// How often each formula was evaluated so far, in the order of evaluation. Where a slide line is searched, that is how
-    /// many of its segments and corners were looked at.
+    /// The number of evaluations of each formula so far, in the order of evaluation. For the search on a slide line it is the
+    /// number of segments and corners examined.
     pub fn counts(&self) -> Vec<(&'static str, usize)> {
         let mut counts: IndexMap<_, usize> = IndexMap::new();
         for (group, state) in self.plan.groups.iter().zip(&self.groups) {
@@ -156,7 +157,8 @@ impl<'s, T: Number> Run<'s, T> {
         counts.into_iter().collect()
     }
 
-    /// Bytes that last from state to state: of elements, and of nodes with what is read of a history in columns.
+    /// The number of bytes that persist from state to state: for elements, and for nodes including the data read of a history in
+    /// columns.
     pub fn bytes(&self) -> [usize; 2] {
         let evaluated: usize = self.groups.iter().map(GroupState::bytes).sum();
         let sliding: usize = self.contacts.iter().map(ContactRun::bytes).sum();
@@ -164,7 +166,7 @@ impl<'s, T: Number> Run<'s, T> {
     }
 }
 
-/// What went wrong on a slide line, whose nodes and elements have the numbers of the scene's.
+/// The problem of a failure on a slide line, whose nodes and elements have the numbers of the scene.
 fn slipped(scene: &Scene, state: usize, line: &str, failure: isl::Failure) -> Problem {
     let isl::Failure { culprit, formula, error } = failure;
     let slide_line = line.to_owned();
@@ -187,7 +189,7 @@ mod tests {
     use crate::scene::npz::{PIECE, Writer};
     use std::fs::File;
 
-    /// Bytes of the elements of a scene's only group.
+    /// The number of bytes of the elements of a scene's only group.
     fn of_elements(plan: &Plan<'_>) -> usize {
         let [group] = &plan.groups[..] else { unreachable!("the elements are alike") };
         let (elements, blocks) = (group.elements.len(), group.elements.len().div_ceil(LANES));
@@ -209,12 +211,12 @@ mod tests {
         let scene = scene.unwrap();
         let plan = Plan::new(&scene);
         let mut run = Run::<f64>::new(&plan).unwrap();
-        // Their places, where they are, and whose triad they have; of one that moves, its displacement; of one that turns, its
-        // triad beside the global one and that of the orientation.
+        // Their indices, positions and triad numbers; for the one that moves, its displacement; for the one that rotates, its
+        // triad, in addition to the global one and that of the orientation.
         let nodes = 3 * (4 + VECTOR + 4) + (4 + VECTOR) + (8 + TRIAD) + 2 * TRIAD;
         assert_eq!(run.bytes(), [of_elements(&plan), nodes]);
         assert!(run.advance().unwrap());
-        // The frame has the displacements.
+        // The frame contains the displacements.
         assert_eq!(run.bytes(), [of_elements(&plan), nodes - VECTOR]);
     }
 
@@ -232,7 +234,7 @@ mod tests {
         assert_eq!(run.bytes(), [of_elements(&plan), nodes]);
     }
 
-    /// Of more members than are read at once, in the plane, where an array has two components of three.
+    /// With more members than are read at once, in the plane, where an array has two components of three.
     #[test]
     fn columns_are_read_piece_by_piece() {
         for count in [3, PIECE + 10] {

@@ -1,4 +1,4 @@
-//! Where the nodes are.
+//! The positions of the nodes.
 
 use super::share::shared;
 use crate::number::prefetch::prefetch;
@@ -9,23 +9,23 @@ use crate::scene::plan::Plan;
 use nalgebra::Vector3;
 use std::borrow::Cow;
 
-/// Where the nodes are now, and where they were. Nodes that never move come first, then those that do.
+/// The current and previous positions of the nodes. Nodes that never move come first, then those that do.
 #[derive(Debug)]
 pub(super) struct NodeStates<'s, T> {
-    /// The place here of each node of the scene.
+    /// The index here of each node of the scene.
     places: Vec<u32>,
     initial: Vec<[f64; 3]>,
-    /// The nodes that move in some state, by their numbers in the scene.
+    /// The nodes that move in any state, by their numbers in the scene.
     moving: Vec<u32>,
-    /// Their displacements: those of a frame of the scene, if it tells all of them.
+    /// Their displacements: those of a frame of the scene, if it contains all of them.
     displacements: Cow<'s, [[f64; 3]]>,
-    /// Displacements in the last state, if anything asks for increments.
+    /// Displacements in the last state, if increments are needed.
     before: Option<Cow<'s, [[f64; 3]]>>,
-    /// The triad of every node, by its place here, if an element reads one.
+    /// The triad of every node, by its index here, if an element reads one.
     triad_of: Vec<u32>,
-    /// The global triad and the orientations of the scene, which nodes share; then those of the nodes that turn.
+    /// The global triad and the orientations of the scene, which nodes share; then those of the nodes that rotate.
     triads: Vec<Axes<T>>,
-    /// The nodes that turn in some state, by their numbers in the scene, and the triads they turn from.
+    /// The nodes that rotate in any state, by their numbers in the scene, and the triads from which they rotate.
     turning: Vec<(u32, u32)>,
 }
 
@@ -59,7 +59,7 @@ impl<'s, T: Number> NodeStates<'s, T> {
         nodes
     }
 
-    /// Every node has the triad of its orientation; those that turn in some state, one of their own.
+    /// Every node has the triad of its orientation; those that rotate in any state have a triad of their own.
     fn share_triads(&mut self, scene: &Scene) {
         self.triad_of = vec![0; scene.nodes.len()];
         let orientations =
@@ -77,18 +77,18 @@ impl<'s, T: Number> NodeStates<'s, T> {
         }
     }
 
-    /// The place here of a node of the scene.
+    /// The index here of a node of the scene.
     pub(super) fn place(&self, node: u32) -> u32 {
         self.places[node as usize]
     }
 
-    /// How many nodes never move.
+    /// The number of nodes that never move.
     #[inline]
     fn fixed(&self) -> usize {
         self.initial.len() - self.moving.len()
     }
 
-    /// Where a node is, by its place here.
+    /// The position of a node, by its index here.
     #[inline]
     pub(super) fn positions(&self) -> impl Fn(u32) -> Vector3<T> {
         let (initial, displacements, fixed) = (&*self.initial, &*self.displacements, self.fixed());
@@ -98,7 +98,7 @@ impl<'s, T: Number> NodeStates<'s, T> {
         }
     }
 
-    /// By how much a node has moved since the last state.
+    /// The displacement of a node since the last state.
     #[inline]
     pub(super) fn increments(&self) -> impl Fn(u32) -> Vector3<T> {
         let before = self.before.as_deref().expect("what asks for increments had them kept");
@@ -110,7 +110,7 @@ impl<'s, T: Number> NodeStates<'s, T> {
         }
     }
 
-    /// Brings what tells where a node is from memory.
+    /// Prefetches the data for the position of a node.
     #[inline]
     pub(super) fn prefetch(&self) -> impl Fn(u32) {
         let (initial, displacements, fixed) = (&*self.initial, &*self.displacements, self.fixed());
@@ -128,7 +128,7 @@ impl<'s, T: Number> NodeStates<'s, T> {
         self.triad_of[place as usize]
     }
 
-    /// The number of the triad of all these nodes, if it is one.
+    /// The number of the triad of all these nodes, if it is the same.
     pub(super) fn common_triad(&self, places: &[u32]) -> Option<u32> {
         let triad = |&place: &u32| self.triad_of.get(place as usize).copied();
         let first = triad(places.first()?)?;
@@ -141,7 +141,7 @@ impl<'s, T: Number> NodeStates<'s, T> {
         &self.triads[number as usize]
     }
 
-    /// Moves and turns them. Of a frame that was read, what tells all displacements is taken, for older ones.
+    /// Moves and rotates the nodes. If an owned frame contains all displacements, they are swapped with the old ones.
     pub(super) fn advance(&mut self, frame: &mut Cow<'s, Frame>) {
         if let Some(before) = &mut self.before {
             before.clone_from(&self.displacements);
@@ -181,7 +181,7 @@ impl<'s, T: Number> NodeStates<'s, T> {
         });
     }
 
-    /// Bytes that last from state to state.
+    /// The number of bytes that persist from state to state.
     pub(super) fn bytes(&self) -> usize {
         let owned = |displacements: &Cow<'_, [[f64; 3]]>| match displacements {
             Cow::Borrowed(_) => 0,
@@ -198,7 +198,7 @@ impl<'s, T: Number> NodeStates<'s, T> {
     }
 }
 
-/// The nodes of which no frame changes something, and those of which one does, by their numbers in the scene.
+/// The nodes that no frame changes, and those that some frame changes, by their numbers in the scene.
 fn changed(scene: &Scene, changes: impl Fn(&Frame) -> &Changes<[f64; 3]>) -> (Vec<u32>, Vec<u32>) {
     let mut is_changed = vec![false; scene.nodes.len()];
     let all = scene.history.mentions().iter().flat_map(|frame| &*changes(frame).of);
@@ -206,7 +206,7 @@ fn changed(scene: &Scene, changes: impl Fn(&Frame) -> &Changes<[f64; 3]>) -> (Ve
     (0..scene.nodes.next_number()).partition(|&node| !is_changed[node as usize])
 }
 
-/// The changes of these nodes, which are in order.
+/// The changes of these nodes, which are sorted.
 fn among<N, V: Copy>(changes: &Changes<V>, nodes: &[N], number: impl Fn(&N) -> u32) -> impl Iterator<Item = (u32, V)> {
     let places = match (nodes.first(), nodes.last()) {
         (Some(first), Some(last)) => {

@@ -1,9 +1,9 @@
-//! What goes wrong in a run.
+//! Errors during a run.
 
 use crate::formula::error::Error;
 use std::fmt;
 
-/// Where something went wrong.
+/// The location of an error.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Culprit {
     /// In an element.
@@ -39,18 +39,18 @@ impl fmt::Display for Culprit {
     }
 }
 
-/// A formula that rejected its inputs during a run, or gave what no double can hold.
+/// A formula that rejected its inputs during a run, or gave a result that a double cannot represent.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Problem {
-    /// Where.
+    /// The location.
     pub culprit: Culprit,
     /// The state, counted from 0; `None` for the initial configuration.
     pub state: Option<usize>,
     /// The formula.
     pub formula: &'static str,
-    /// What it says.
+    /// The error.
     pub error: Error,
-    /// The same in words, with nodes called as the scene calls them.
+    /// The same in words, with the names of the scene for nodes.
     pub message: String,
 }
 
@@ -64,7 +64,7 @@ impl fmt::Display for Problem {
     }
 }
 
-/// Problems of a state; a hundred at most.
+/// Problems of a state; at most a hundred.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Problems(pub Vec<Problem>);
 
@@ -77,14 +77,14 @@ impl fmt::Display for Problems {
 
 impl std::error::Error for Problems {}
 
-/// An array of the history that cannot be read any more, or is not what it was when the scene was read.
+/// An array of the history that cannot be read any more, or has changed since the scene was read.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Unreadable {
-    /// The JSON path in the scene to where it is named, as `frames.nodes.cars.u`.
+    /// The JSON path in the scene where it is named, such as `frames.nodes.cars.u`.
     pub path: String,
-    /// What is there.
+    /// What was found there.
     pub found: String,
-    /// What may be there.
+    /// What is allowed there.
     pub allowed: String,
 }
 
@@ -97,7 +97,7 @@ impl fmt::Display for Unreadable {
 
 impl std::error::Error for Unreadable {}
 
-/// Why a run stopped.
+/// The reason why a run stopped.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Stopped {

@@ -1,14 +1,13 @@
-//! Sharing work out to all cores.
+//! Distribution of work over all cores.
 
 use rayon::prelude::*;
 
-/// How many of so many items make a task: as many as are worth a thread at least, and few enough for every thread to get
-/// several.
+/// The number of items in a task: at least as many as are worth a thread, and few enough for every thread to get several tasks.
 pub(super) fn task(items: usize, least: usize) -> usize {
     items.div_ceil(8 * rayon::current_num_threads()).max(least)
 }
 
-/// Does a job for all items, on all cores if they are many; `job` is told where its share begins.
+/// Runs a job for all items, on all cores if there are many; `job` receives the index of its first item.
 pub(super) fn shared<T: Send>(items: &mut [T], job: impl Fn(usize, &mut [T]) + Sync) {
     let share = task(items.len(), 4096);
     if items.len() <= share {

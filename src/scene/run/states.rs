@@ -6,20 +6,20 @@ use crate::scene::npz::Unfit;
 use rayon::prelude::*;
 use std::borrow::Cow;
 
-/// The frames that are still to come.
+/// The remaining frames.
 #[derive(Debug)]
 pub(super) enum States<'s> {
     Frames(std::slice::Iter<'s, Frame>),
     Columns(Reading<'s>),
 }
 
-/// Columns that are read state by state.
+/// Columns being read state by state.
 #[derive(Debug)]
 pub(super) struct Reading<'s> {
     times: std::slice::Iter<'s, f64>,
-    /// Those of each quantity, by its place.
+    /// The columns of each quantity, by its index.
     open: Vec<Vec<OpenColumn<'s>>>,
-    /// Room for the next state.
+    /// Memory for the next state.
     frame: Frame,
 }
 
@@ -39,7 +39,7 @@ impl<'s> States<'s> {
         }
     }
 
-    /// Bytes that last from state to state.
+    /// The number of bytes that persist from state to state.
     pub(super) fn bytes(&self) -> usize {
         match self {
             Self::Frames(_) => 0,
@@ -49,7 +49,7 @@ impl<'s> States<'s> {
         }
     }
 
-    /// Takes back the room of a frame.
+    /// Takes back the memory of a frame.
     pub(super) fn reuse(&mut self, frame: Cow<'s, Frame>) {
         if let (Self::Columns(reading), Cow::Owned(frame)) = (self, frame) {
             reading.frame = frame;
@@ -72,7 +72,7 @@ impl<'s> Reading<'s> {
         Ok(Self { times: times.iter(), open, frame: changed.zeroed() })
     }
 
-    /// Reads the next state, its quantities on all cores.
+    /// Reads the next state, with its quantities on all cores.
     fn advance(&mut self) -> Result<Option<Frame>, Unreadable> {
         let Some(&time) = self.times.next() else { return Ok(None) };
         let mut frame = std::mem::take(&mut self.frame);
@@ -81,7 +81,7 @@ impl<'s> Reading<'s> {
         let read = |(columns, (numbers, width)): &mut (&mut Vec<OpenColumn>, (&mut [f64], usize))| {
             columns.iter_mut().try_for_each(|column| read(column, numbers, *width))
         };
-        // Of several faults the first is said, whichever core is faster.
+        // Of several faults the first is reported, whichever core is faster.
         let read: Vec<_> = quantities.par_iter_mut().map(read).collect();
         let Some(fault) = read.into_iter().find_map(Result::err) else { return Ok(Some(frame)) };
         self.frame = frame;
@@ -89,7 +89,7 @@ impl<'s> Reading<'s> {
     }
 }
 
-/// Reads the next state of a column into the values of its quantity, each of so many numbers.
+/// Reads the next state of a column into the values of its quantity, each of `width` numbers.
 fn read(open: &mut OpenColumn, numbers: &mut [f64], width: usize) -> Result<(), Unreadable> {
     let HistoryColumn { path, places, components, of, .. } = open.column;
     let Components { first: from, count } = *components;

@@ -1,4 +1,4 @@
-//! Evidence for the formulas next door: cases, kinks, laws.
+//! Evidence for the formulas of the parent module: cases, kinks, laws.
 
 use super::{Constraint, ConstraintMoment, Moments, Orientations};
 use crate::Octuple;
@@ -56,7 +56,7 @@ impl Proved for Constraint {
             }),
             Law::<Self>::new("aligned, the moment on b is Jacobianᵀ · multipliers, and a takes the opposite", |i| {
                 let (a, _) = i.triads().orthonormal();
-                let multipliers = [i.alpha0, i.beta0, i.gamma0]; // any three numbers will do
+                let multipliers = [i.alpha0, i.beta0, i.gamma0]; // arbitrary numbers
                 let [on_a, on_b] = moments(&Orientations::of(Triads::new(a, a)), multipliers);
                 let [e1a, e2a, e3a] = a;
                 let [m1, m2, m3] = multipliers;
@@ -107,13 +107,13 @@ impl Proved for ConstraintMoment {
     }
 }
 
-/// The Cardan angles, each the nearest double on any machine.
+/// The Cardan angles, each rounded to the nearest double, on any machine.
 fn angles_to_rounding(i: &Triads<f64>) -> Angles<f64> {
     let Angles { alpha, beta, gamma } = CardanAngles::eval(&exactly::<CardanAngles>(i));
     Angles { alpha: alpha.to_f64(), beta: beta.to_f64(), gamma: gamma.to_f64() }
 }
 
-/// The moments on a and on b that Jacobianᵀ · multipliers gives.
+/// The moments on a and on b from Jacobianᵀ · multipliers.
 fn moments(i: &Orientations<Octuple>, [m1, m2, m3]: [Octuple; 3]) -> [Vector3<Octuple>; 2] {
     let jac = Constraint::jacobian(i);
     let rows = [(jac.ur1, m1), (jac.ur2, m2), (jac.ur3, m3)];

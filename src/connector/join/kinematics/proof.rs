@@ -1,4 +1,4 @@
-//! Evidence for the formula next door: cases, laws.
+//! Evidence for the formula of the parent module: cases, laws.
 
 use super::{Constraint, Joined};
 use crate::connector::slot::Positions;
@@ -41,7 +41,7 @@ impl Proved for Constraint {
             "the force on b is Jacobianᵀ · multipliers: Σ f_i ∂g_i/∂xb = f1 e1a + f2 e2a + f3 e3a, and a takes the opposite",
             |i| {
                 let jac = Self::jacobian(i);
-                let f = i.d0; // any three numbers will do
+                let f = i.d0; // arbitrary numbers
                 let on_b = jac.g[0].xb * f[0] + jac.g[1].xb * f[1] + jac.g[2].xb * f[2];
                 let on_a = jac.g[0].xa * f[0] + jac.g[1].xa * f[1] + jac.g[2].xa * f[2];
                 let documented = i.e1a * f[0] + i.e2a * f[1] + i.e3a * f[2];

@@ -1,4 +1,4 @@
-//! Evidence for the formulas next door: cases, kinks, laws.
+//! Evidence for the formulas of the parent module: cases, kinks, laws.
 
 use super::{Basis, BasisVariation, LineDirection, TangentChanges, Tangents, TurningDirection};
 use crate::connector::slider::across::Across;
@@ -114,7 +114,7 @@ impl Proved for BasisVariation {
     }
 }
 
-/// The directions of the hard lines, as a program would compute them.
+/// The directions of the hard lines, computed as in a program.
 fn directions() -> impl Iterator<Item = (&'static str, &'static str, Vector3<f64>)> {
     lines().into_iter().map(|line| (line.id, line.comment, Line::eval(&Ends { x1: line.x1, xn: line.xn }).n))
 }

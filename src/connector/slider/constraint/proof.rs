@@ -1,4 +1,4 @@
-//! Evidence for the formulas next door: cases, kinks, laws.
+//! Evidence for the formulas of the parent module: cases, kinks, laws.
 
 use super::{Constraint, Distances, IncrementalConstraint, IncrementalResiduals, MovingNodes, Nodes};
 use crate::connector::slider::hard::{lines, scenes};
@@ -49,7 +49,7 @@ impl Proved for Constraint {
                 law::equal_with((g1 * g1 + g2 * g2) * d.dot(&d), moment.dot(&moment), size)
             }),
             Law::<Self>::new("it vanishes on the line", |i| {
-                let xm = i.x1 + (i.xn - i.x1) * i.xm.x; // any share will do
+                let xm = i.x1 + (i.xn - i.x1) * i.xm.x; // any fraction of the line
                 let Distances { g1, g2 } = Self::eval(&Nodes { xm, ..*i });
                 law::vanish([g1, g2], law::length(i.x1) + law::length(xm))
             }),
@@ -120,7 +120,7 @@ impl Proved for IncrementalConstraint {
             Law::<Self>::new(
                 "on the line it is the variation of the constraint: t1, t2 and their variations cancel",
                 |i| {
-                    let xm = i.x1 + (i.xn - i.x1) * i.xm.x; // any share will do
+                    let xm = i.x1 + (i.xn - i.x1) * i.xm.x; // any fraction of the line
                     let at = MovingNodes { xm, ..*i };
                     let jac = Constraint::jacobian(&Nodes { x1: at.x1, xn: at.xn, xm });
                     let along = |row: Nodes<_>| row.x1.dot(&at.dx1) + row.xn.dot(&at.dxn) + row.xm.dot(&at.dxm);

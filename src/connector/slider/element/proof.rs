@@ -6,7 +6,7 @@ use crate::formula::proof::{Case, ProvedElement, Step};
 use crate::number::scalar::Scalar;
 use nalgebra::{SVector, Vector1, Vector2, Vector3};
 
-/// Node m where it is along the line, and on it.
+/// Node m projected onto the line.
 fn on_line<D: Scalar, const N: usize>([x1, xn, xm]: [SVector<D, N>; 3]) -> SVector<D, N> {
     let d = xn - x1;
     x1 + d * ((xm - x1).dot(&d) / d.dot(&d))

@@ -1,8 +1,8 @@
-//! The documented route: through the directions across the line, t1 and t2, and a system of two equations.
+//! The documented route: through the directions normal to the line, t1 and t2, and a system of two equations.
 //!
-//! It defines what [`Eliminate`](crate::connector::slider::Eliminate) and [`Increment`](crate::connector::slider::Increment) compute by the direct route. In
-//! exact arithmetic both are the same; in doubles this one costs more, and its increments lose digits where t1 and t2
-//! turn fast, near n = ±i.
+//! It defines what [`Eliminate`](crate::connector::slider::Eliminate) and [`Increment`](crate::connector::slider::Increment)
+//! compute by the direct route. In exact arithmetic both give the same result; in doubles this one is more expensive, and its
+//! increments lose digits where t1 and t2 rotate fast, near n = ±i.
 
 use super::{Coordinates, Increments, KeptCoordinate, KeptIncrement};
 use crate::connector::slider::{
@@ -31,8 +31,8 @@ pub fn eliminate<D: Scalar>(i: &KeptCoordinate<D>) -> Coordinates<D> {
 
 /// Two increments of m from the third: t_q·(dxm − dx1) + dt_q·(xm − x1) = 0 for q = 1, 2, solved for those of axes i and j.
 ///
-/// It presumes that m is on the line; off it, the turning of t1 and t2 adds to the result, which is then another than
-/// that of [`Increment`](crate::connector::slider::Increment).
+/// It presumes that m is on the line; otherwise the rotation of t1 and t2 adds to the result, which then differs from that of
+/// [`Increment`](crate::connector::slider::Increment).
 pub fn increment<D: Scalar>(i: &KeptIncrement<D>) -> Increments<D> {
     let Direction { n, .. } = Line::eval(&Ends { x1: i.x1, xn: i.xn });
     let DirectionChange { dn, .. } =
@@ -45,14 +45,15 @@ pub fn increment<D: Scalar>(i: &KeptIncrement<D>) -> Increments<D> {
     Increments { dxmi: i.dx1[pivots.i] + along_i, dxmj: i.dx1[pivots.j] + along_j }
 }
 
-/// [`increment`] at the foot of m on the line, x1 + ξ (xn − x1): what [`Increment`](crate::connector::slider::Increment) computes, wherever m is.
+/// [`increment`] at the projection of m onto the line, x1 + ξ (xn − x1): the result of
+/// [`Increment`](crate::connector::slider::Increment), wherever m is.
 pub fn increment_on_line<D: Scalar>(i: &KeptIncrement<D>) -> Increments<D> {
     let d = i.xn - i.x1;
     let share = (i.xm - i.x1).dot(&d) / d.dot(&d);
     increment(&KeptIncrement { xm: i.x1 + d * share, ..*i })
 }
 
-/// (v_i, v_j) of the vector v with t_q·v = −turning_q and the given v_k. The determinant is ±n_k.
+/// (v_i, v_j) of the vector v that satisfies t_q·v = −turning_q for the given v_k. The determinant is ±n_k.
 fn solve<D: Scalar>(basis: &Tangents<D>, pivots: Pivots, turning: [D; 2], kept: D) -> [D; 2] {
     let Pivots { i, j, k } = pivots;
     let equation = |t: &Vector3<D>, turning: D| (t[i], t[j], -(turning + t[k] * kept));

@@ -1,4 +1,4 @@
-//! Evidence for the formulas next door: cases, kinks, laws, other ways to compute them.
+//! Evidence for the formulas of the parent module: cases, kinks, laws, other methods.
 
 use super::{Coordinates, Eliminate, Increment, Increments, KeptCoordinate, KeptIncrement};
 use crate::Octuple;

@@ -1,4 +1,4 @@
-//! Evidence for the formulas next door: cases, laws.
+//! Evidence for the formulas of the parent module: cases, laws.
 
 use super::{Direction, DirectionChange, DirectionVariation, Ends, Line, MovingEnds};
 use crate::connector::slider::hard::lines;

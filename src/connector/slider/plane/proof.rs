@@ -1,4 +1,4 @@
-//! Evidence for the formulas next door: cases, kinks, laws.
+//! Evidence for the formulas of the parent module: cases, kinks, laws.
 
 use super::{
     Constraint2d, Eliminate2d, Increment2d, IncrementalConstraint2d, KeptCoordinate2d, KeptIncrement2d, MovingNodes2d,
@@ -83,7 +83,7 @@ impl Proved for IncrementalConstraint2d {
     fn laws() -> Vec<Law<Self>> {
         vec![
             Law::<Self>::new("on the line it is the variation of the constraint: that of t cancels", |i| {
-                let xm = i.x1 + (i.xn - i.x1) * i.xm.x; // any share will do
+                let xm = i.x1 + (i.xn - i.x1) * i.xm.x; // any fraction of the line
                 let at = MovingNodes2d { xm, ..*i };
                 let by = Constraint2d::jacobian(&Nodes2d { x1: at.x1, xn: at.xn, xm }).g;
                 let size = (length(at.dx1) + length(at.dxn)) * (abs(i.xm.x) + 1.0) + length(at.dxm);
@@ -107,7 +107,7 @@ impl Proved for IncrementalConstraint2d {
     }
 }
 
-/// The two conditions of space, along the tangents of a line in the plane z = 0, are these.
+/// The two conditions in space, along the tangents of a line in the plane z = 0, equal those in the plane.
 fn in_space(n2: Octuple, flat: Octuple, [first, second]: [Octuple; 2]) -> Vec<Equation> {
     let zero = flat * 0.0;
     if n2 == 0.0 {

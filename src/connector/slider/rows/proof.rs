@@ -1,4 +1,4 @@
-//! Evidence for the formulas next door: cases, kinks, laws.
+//! Evidence for the formulas of the parent module: cases, kinks, laws.
 
 use super::{Forces, GeometricStiffness, Rows, SliderForces, SliderLoads, SliderRows};
 use crate::Octuple;
@@ -14,7 +14,7 @@ use num_traits::{One, Zero};
 
 type Vector = Vector3<Octuple>;
 
-/// Where the nodes are, at points of interest.
+/// The positions of the nodes at points of interest.
 fn places() -> Vec<Case<Nodes<f64>>> {
     let hand = Nodes { x1: Vector3::zeros(), xn: Vector3::new(12.0, 3.0, 4.0), xm: Vector3::new(3.0, 0.75, 1.0) };
     let across = Nodes { xn: Vector3::new(0.0, 3.0, 4.0), xm: Vector3::new(0.0, 0.75, 1.0), ..hand };
@@ -35,15 +35,15 @@ fn places() -> Vec<Case<Nodes<f64>>> {
     cases
 }
 
-/// Whether a line is in no special position: no component of d is 0, and none as large as another. On others some entries
-/// vanish together with all their derivatives, or are what symmetry leaves of terms that cancel: there is nothing of a size
-/// to which rounding could be compared.
+/// Whether a line is in general position: no component of d is 0, and none equals another in size. Otherwise some entries vanish
+/// together with all their derivatives, or are remainders of terms that cancel by symmetry, so that there is no size with which
+/// rounding errors could be compared.
 pub(crate) fn is_oblique<const N: usize>(d: &SVector<f64, N>) -> bool {
     let is_alone = |k: usize| d[k] != 0.0 && (0..k).all(|other| d[other].abs() != d[k].abs());
     (0..N).all(is_alone)
 }
 
-/// The same with multipliers; squares of these lengths are numbers.
+/// The same with multipliers; squares of these lengths do not over- or underflow.
 fn loads() -> Vec<Case<SliderLoads<f64>>> {
     let with = |case: Case<Nodes<f64>>| {
         let Nodes { x1, xn, xm } = case.inputs;
@@ -76,7 +76,7 @@ fn invalid_loads() -> Vec<Case<SliderLoads<f64>>> {
     coincident().into_iter().map(with).collect()
 }
 
-/// Along i exactly t1 and t2 are others: the condition, a point and a direction across.
+/// Exactly along i, t1 and t2 are defined differently: the condition for this, a point, and a direction away from it.
 const ALONG_I: &str = r"\mathbf{n}\times\mathbf{i} = \mathbf{0}";
 
 fn is_along_i<T: PartialEq>(x1: &Vector3<T>, xn: &Vector3<T>) -> bool {
@@ -90,12 +90,12 @@ fn across_i() -> [SliderLoads<f64>; 2] {
     [at, SliderLoads { xn: Vector3::new(0.0, 3.0, 4.0), ..zero }]
 }
 
-/// With m on the line, where its first coordinate says: any share will do.
+/// Nodes with m on the line, at a fraction taken from its first coordinate: any fraction will do.
 fn on_the_line(x1: Vector, xn: Vector, share: Octuple) -> Nodes<Octuple> {
     Nodes { x1, xn, xm: x1 + (xn - x1) * share }
 }
 
-/// All nine derivatives of something as the nodes move.
+/// All nine derivatives of a vector with respect to the positions of the nodes.
 fn derivatives<const N: usize>(
     at: &Nodes<Octuple>,
     of: impl Fn(&Nodes<Moving>) -> [Moving; N],
@@ -114,13 +114,13 @@ impl SliderRows<Octuple> {
     }
 }
 
-/// Vectors are equal to the rounding of one size.
+/// The vectors are equal to within rounding errors relative to one common size.
 fn equal_parts(left: &[Vector; 3], right: &[Vector; 3], size: Octuple) -> Vec<Equation> {
     let pairs = left.iter().zip(right);
     pairs.flat_map(|(l, r)| law::equal_all_with(l.iter().copied().zip(r.iter().copied()), size)).collect()
 }
 
-/// The size of what stands on the nodes for a force of size 1 on m.
+/// The size of the forces on the nodes for a force of size 1 on m.
 fn lever(i: &Nodes<Octuple>) -> Octuple {
     (law::length(i.xm - i.x1) + law::length(i.xm - i.xn)) / law::length(i.xn - i.x1) + 1.0
 }
@@ -192,7 +192,7 @@ impl SliderLoads<Octuple> {
         Nodes { x1, xn, xm }
     }
 
-    /// With m on the line.
+    /// The same with m on the line.
     fn aligned(&self) -> Self {
         Self { xm: on_the_line(self.x1, self.xn, self.xm.x).xm, ..*self }
     }
@@ -251,7 +251,7 @@ impl Proved for Forces {
 /// The size of the entries of the stiffness, for m on the line.
 fn entry_size(at: &SliderLoads<Octuple>) -> Octuple {
     let d = at.xn - at.x1;
-    // The distance of node n from the axis i; it is that from k where this is 0.
+    // The distance of node n from the axis i, or from the axis k if that is 0.
     let outward = law::length(Vector3::new(Octuple::zero(), d.y, d.z));
     let outward = if outward.is_zero() { law::length(d) } else { outward };
     at.size() * lever(&at.nodes()) / outward
@@ -307,7 +307,7 @@ impl Proved for GeometricStiffness {
                 let at = i.aligned();
                 let spin: Vector = Vector3::x();
                 if is_along_i(&at.x1, &at.xn) {
-                    return Vec::new(); // t1 and t2 stand still there
+                    return Vec::new(); // t1 and t2 are constant there
                 }
                 let moved = [at.x1, at.xn, at.xm].map(|x| spin.cross(&(x - at.x1)));
                 let change = Self::eval(&at).matrix() * SVector::<Octuple, 9>::from_fn(|k, _| moved[k / 3][k % 3]);

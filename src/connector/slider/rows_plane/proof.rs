@@ -1,4 +1,4 @@
-//! Evidence for the formulas next door: cases, laws.
+//! Evidence for the formulas of the parent module: cases, laws.
 
 use super::{Forces, GeometricStiffness, Rows, SliderForces2d, SliderLoads2d, SliderRow2d};
 use crate::Octuple;
@@ -16,7 +16,7 @@ use num_traits::{One, Zero};
 
 type Vector = Vector2<Octuple>;
 
-/// Where the nodes are, at points of interest.
+/// The positions of the nodes at points of interest.
 fn places() -> Vec<Case<Nodes2d<f64>>> {
     let hand = Nodes2d { x1: Vector2::zeros(), xn: Vector2::new(4.0, 3.0), xm: Vector2::new(1.0, 0.75) };
     let mut cases = vec![
@@ -30,7 +30,7 @@ fn places() -> Vec<Case<Nodes2d<f64>>> {
     cases
 }
 
-/// The same with a multiplier; squares of these lengths are numbers.
+/// The same with a multiplier; squares of these lengths do not over- or underflow.
 fn loads() -> Vec<Case<SliderLoads2d<f64>>> {
     let with = |case: Case<Nodes2d<f64>>| {
         let Nodes2d { x1, xn, xm } = case.inputs;
@@ -60,7 +60,7 @@ fn invalid_loads() -> Vec<Case<SliderLoads2d<f64>>> {
     coincident().into_iter().map(with).collect()
 }
 
-/// With m on the line, where its first coordinate says: any share will do.
+/// Nodes with m on the line, at a fraction taken from its first coordinate: any fraction will do.
 fn on_the_line(x1: Vector, xn: Vector, share: Octuple) -> Nodes2d<Octuple> {
     Nodes2d { x1, xn, xm: x1 + (xn - x1) * share }
 }
@@ -69,12 +69,12 @@ fn length(v: Vector) -> Octuple {
     norm(v.into())
 }
 
-/// The size of what stands on the nodes for a force of size 1 on m.
+/// The size of the forces on the nodes for a force of size 1 on m.
 fn lever(i: &Nodes2d<Octuple>) -> Octuple {
     (length(i.xm - i.x1) + length(i.xm - i.xn)) / length(i.xn - i.x1) + 1.0
 }
 
-/// Vectors are equal to the rounding of one size.
+/// The vectors are equal to within rounding errors relative to one common size.
 fn equal_parts(left: [Vector; 3], right: [Vector; 3], size: Octuple) -> Vec<Equation> {
     let pairs = left.into_iter().zip(right);
     pairs.flat_map(|(l, r)| law::equal_all_with(l.iter().copied().zip(r.iter().copied()), size)).collect()
@@ -128,7 +128,7 @@ impl SliderLoads2d<Octuple> {
         Nodes2d { x1, xn, xm }
     }
 
-    /// With m on the line.
+    /// The same with m on the line.
     fn aligned(&self) -> Self {
         Self { xm: on_the_line(self.x1, self.xn, self.xm.x).xm, ..*self }
     }

@@ -7,7 +7,7 @@ use crate::formula::proof::{Case, ProvedElement, Rubbed, Step};
 use crate::number::scalar::Scalar;
 use nalgebra::Vector2;
 
-/// The friction along a slot, by the states before and after the step.
+/// The friction along a slot, from the states before and after the step.
 pub(crate) fn along<D: Scalar>(
     u1: D,
     k_stick: D,

@@ -1,4 +1,4 @@
-//! Evidence for the formulas next door: cases, kinks, laws, other ways to compute them.
+//! Evidence for the formulas of the parent module: cases, kinks, laws, other methods.
 
 use super::{Contact, ContactForce, ContactForces, CrossForces, Friction, NormalForce, SlotLoads};
 use crate::formula::Formula;
@@ -145,7 +145,7 @@ impl Proved for Friction {
     }
 }
 
-/// The equation as it stands, whose squares over- and underflow, and which has no derivative at zero.
+/// The equation as printed, whose squares over- and underflow, and which has no derivative at zero.
 fn plain_contact_force<D: Scalar>(i: &CrossForces<D>) -> Contact<D> {
     Contact { fc: (i.f2 * i.f2 + i.f3 * i.f3).sqrt() }
 }

@@ -1,4 +1,4 @@
-//! Evidence for the formulas next door: cases, laws.
+//! Evidence for the formulas of the parent module: cases, laws.
 
 use super::{
     Constraint, Constraint2d, ConstraintForce, CrossFrame, KineticForce, RelativeMotion, RelativePosition, SlotForce,
@@ -77,7 +77,7 @@ impl Proved for Constraint {
                 "the constraint force is Jacobianᵀ · multiplier: f2 ∂gy/∂xb + f3 ∂gz/∂xb = f",
                 |i| {
                     let jac = Self::jacobian(i);
-                    let (f2, f3) = (i.y0, i.z0); // any two numbers will do
+                    let (f2, f3) = (i.y0, i.z0); // arbitrary numbers
                     let f = ConstraintForce::eval(&CrossFrame { e2a: i.e2a, e3a: i.e3a, f2, f3 }).f;
                     law::equal_vectors(jac.gy.xb * f2 + jac.gz.xb * f3, f)
                 },

@@ -1,4 +1,4 @@
-//! Evidence for the formulas next door: cases, laws.
+//! Evidence for the formulas of the parent module: cases, laws.
 
 use super::{Forces, GeometricStiffness, PlaneForces, PlaneLoads, PlanePlaces, Rows, left};
 use crate::Octuple;
@@ -12,7 +12,7 @@ use num_traits::{One, Zero};
 
 type Vector = Vector2<Octuple>;
 
-/// The axis of a and the places of both nodes, as a motion of the six degrees of freedom changes them.
+/// The axis of a and the positions of both nodes, moved by a motion of the six degrees of freedom.
 fn moved(i: &PlanePlaces<Octuple>, motion: &Vector6<Octuple>) -> PlanePlaces<Moving> {
     let with = |v: Vector, change: Vector| v.zip_map(&change, Dual::new);
     PlanePlaces {
@@ -22,12 +22,12 @@ fn moved(i: &PlanePlaces<Octuple>, motion: &Vector6<Octuple>) -> PlanePlaces<Mov
     }
 }
 
-/// Each of the six degrees of freedom alone.
+/// A unit motion of each of the six degrees of freedom alone.
 fn alone() -> [Vector6<Octuple>; 6] {
     std::array::from_fn(|k| Vector6::from_fn(|j, _| if j == k { Octuple::one() } else { Octuple::zero() }))
 }
 
-/// Both nodes turn by a unit spin as one body, about a point that is a's place.
+/// The motion of both nodes as one rigid body with a unit spin about node a.
 fn turn(xa: Vector, xb: Vector) -> Vector6<Octuple> {
     let (one, zero, ub) = (Octuple::one(), Octuple::zero(), left(&(xb - xa)));
     Vector6::new(zero, zero, one, ub.x, ub.y, one)
@@ -61,7 +61,7 @@ fn loads() -> Vec<Case<PlaneLoads<f64>>> {
     cases
 }
 
-/// Equal, with the sizes of forces and of moments.
+/// The vectors are equal, relative to the sizes of forces and of moments.
 fn equal(left: &Vector6<Octuple>, right: &Vector6<Octuple>, [force, moment]: [Octuple; 2]) -> Vec<Equation> {
     let size = |k: usize| if k % 3 == 2 { moment } else { force };
     (0..6).flat_map(|k| law::equal_with(left[k], right[k], size(k))).collect()

@@ -1,4 +1,4 @@
-//! Evidence for the formulas next door: cases, kinks, laws.
+//! Evidence for the formulas of the parent module: cases, kinks, laws.
 
 use super::{Bending, BendingForce, RadialForce, Torque, TorqueForce};
 use crate::Octuple;

@@ -1,4 +1,4 @@
-//! Evidence for the formulas next door: cases, kinks, laws.
+//! Evidence for the formulas of the parent module: cases, kinks, laws.
 
 use super::{ContactForce, ContactLoads, Friction, FrictionLoads};
 use crate::Octuple;
@@ -125,7 +125,7 @@ impl Proved for Friction {
     }
 }
 
-/// One load alone, each in turn; loads and levers of extreme size; levers of 0.
+/// Each load alone; loads and levers of extreme size; levers of 0.
 fn hard_loads() -> Vec<Hard<ContactLoads<f64>>> {
     let none = ContactLoads { f2: 0.0, f3: 0.0, m1: 0.0, m2: 0.0, m3: 0.0, ..HAND };
     let scaled = |by: f64| ContactLoads {
@@ -167,7 +167,7 @@ fn hard_loads() -> Vec<Hard<ContactLoads<f64>>> {
 /// 12 + 5 + 13: every part a whole number.
 const HAND: ContactLoads<f64> = ContactLoads { f2: 3.0, f3: 4.0, m1: -6.0, m2: 5.0, m3: -12.0, rr: 0.5, l: 2.0 };
 
-/// Loads beside a kink that is not one of f1 or of the sum.
+/// Loads next to a kink that is not one of f1 or of the sum.
 fn on_kink(contact: ContactLoads<f64>) -> FrictionLoads<f64> {
     FrictionLoads::new(1.0, &contact, 1.0, 0.25)
 }

@@ -1,4 +1,4 @@
-//! Evidence for the formula next door: cases, kinks, laws.
+//! Evidence for the formula of the parent module: cases, kinks, laws.
 
 use super::{AllResiduals, Constraint, Placement};
 use crate::Octuple;
@@ -141,7 +141,7 @@ impl Proved for Constraint {
     }
 }
 
-/// Force and moment on a and on b that Jacobianᵀ · multipliers gives under a virtual motion of both nodes.
+/// Force and moment on a and on b from Jacobianᵀ · multipliers under a virtual motion of both nodes.
 fn reactions(i: &Placement<Octuple>, multipliers: [Octuple; 5]) -> [[Vector3<Octuple>; 2]; 2] {
     let AllResiduals { gy, gz, ur1, ur2, ur3 } = Constraint::jacobian(i);
     let rows = [gy, gz, ur1, ur2, ur3].into_iter().zip(multipliers);
@@ -161,7 +161,7 @@ impl Placement<Octuple> {
         )
     }
 
-    /// Any five numbers will do.
+    /// Five arbitrary numbers.
     fn any_multipliers(&self) -> [Octuple; 5] {
         [self.y0, self.z0, self.alpha0, self.beta0, self.gamma0]
     }

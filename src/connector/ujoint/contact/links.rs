@@ -1,11 +1,11 @@
-//! The derivative of the contact moments by all 20 numbers, in two links.
+//! The derivatives of the contact moments with respect to all 20 inputs, in two links.
 //!
-//! The vectors e1a, e2a, e3a, e3b and the forces f1, f2, f3 reach M_C only through three loads at the centre of the cross:
-//! the force along its two axes and the force across them. So the chain rule has two links:
+//! The vectors e1a, e2a, e3a, e3b and the forces f1, f2, f3 affect M_C only through three loads at the centre of the cross: the
+//! forces along its two axes and the force normal to them. So the chain rule has two links:
 //!
-//! 1. [`ByLoads`]: M_C by these three loads, by m2 and by the measures of the cross. A hinge on axis 3 is one on axis 1
-//!    with the two axial forces exchanged, so that one function, [`Common::hinge`], serves both.
-//! 2. [`Force::chain`]: the three loads by forces and vectors.
+//! 1. [`ByLoads`]: M_C with respect to these three loads, to m2 and to the dimensions of the cross. A hinge on axis 3 is one on
+//!    axis 1 with the two axial forces exchanged, so that one function, [`Common::hinge`], serves both.
+//! 2. [`Force::chain`]: the three loads with respect to forces and vectors.
 
 #![expect(clippy::inline_always, reason = "what is not inlined is not compiled for vectors")]
 
@@ -29,12 +29,12 @@ pub(super) fn linearized<D: Scalar>(i: &JointLoads<D>) -> (ContactMomentPair<D>,
     (ContactMomentPair { mc1, mc3 }, gradients)
 }
 
-/// The first link: M_C of a hinge, differentiated by the loads at the centre and the measures of the cross.
+/// The first link: the derivatives of M_C of a hinge with respect to the loads at the centre and the dimensions of the cross.
 #[derive(Clone, Copy, Debug)]
 struct ByLoads<D> {
-    /// By the force along the hinge's own axis.
+    /// With respect to the force along the hinge's own axis.
     own: D,
-    /// By the force along the other axis.
+    /// With respect to the force along the other axis.
     other: D,
     f_bend: D,
     m2: D,
@@ -50,15 +50,15 @@ fn first_link<D: Scalar>(i: &JointLoads<D>, loads: &CrossForces<D>) -> [(D, ByLo
     let CrossForces { f_axial1, f_axial3, f_bend } = *loads;
     let JointLoads { rp, la, ls, .. } = *i;
 
-    // The terms: what twist, bending and the axial forces make, each with its derivatives. A hinge takes α of the force
+    // The terms: the effects of twist, bending and the axial forces, each with its derivatives. A hinge carries α of the force
     // along its own axis as pull and β of the force along the other axis as push.
     let (twist, by_twist) = HingeTwist::linearized(&i.twist());
     let (shares, slopes) = AxialFactors::linearized(&i.arm());
     let [pull1, pull3] = [f_axial1, f_axial3].map(|f| share_of(f, shares.alpha_axial, slopes.alpha_axial));
     let [push3, push1] = [f_axial1, f_axial3].map(|f| share_of(f, shares.beta_axial, slopes.beta_axial));
 
-    // The three sums at right angles: F_total of both hinges, and M_total. The derivative of such a sum by its terms is its
-    // direction.
+    // The three root-sum-squares: F_total of both hinges, and M_total. The derivative of such a sum with respect to its terms is
+    // its direction.
     let [m_bend, m_twist] = bending(f_bend, la, &twist);
     let [sum1, sum3, (m_total, [bend, twist, _])] = sizes_and_directions([
         transverse(f_bend, &twist, push1.value),
@@ -66,7 +66,7 @@ fn first_link<D: Scalar>(i: &JointLoads<D>, loads: &CrossForces<D>) -> [(D, ByLo
         [m_bend, m_twist, D::zero()],
     ]);
 
-    // F_total^bend = 2 M_total/Ls presses alike on every hinge, with the lever Rp; 2 Rp/Ls is its moment per M_total.
+    // F_total^bend = 2 M_total/Ls presses equally on every hinge, with the lever Rp; 2 Rp/Ls is its moment per M_total.
     let (pressing, per_moment) = (in_sleeve(m_total, ls), in_sleeve(rp, ls));
     let weights = [bend * per_moment, twist * per_moment];
     let by_pressing = i.bending(f_bend).slope_of_moments(weights, &by_twist.m_twist_hinge);
@@ -98,7 +98,7 @@ impl<D: Scalar> Common<D> {
     ) -> (D, ByLoads<D>) {
         let JointLoads { rp, ra, .. } = *i;
         let Self { by_twist, pressing, by_pressing } = self;
-        // The derivative of F_total Rp by its three terms.
+        // The derivatives of F_total Rp with respect to its three terms.
         let [by_bend, by_twisting, by_push] = direction.map(|n| n * rp);
         let slopes = ByLoads {
             own: pull.by_force * ra,
@@ -114,10 +114,10 @@ impl<D: Scalar> Common<D> {
     }
 }
 
-/// Size and direction of three sums at right angles.
+/// Magnitude and direction of three vectors of perpendicular components.
 ///
-/// As [`norm_and_direction`] gives them, but with one test of range for all three, and with the reciprocal of the square
-/// beside its root instead of a quotient after it.
+/// Computed as by [`norm_and_direction`], but with one range test for all three, and with the reciprocal of the square in
+/// parallel with its root instead of a quotient after it.
 #[inline]
 fn sizes_and_directions<D: Scalar>(sums: [[D; 3]; 3]) -> [(D, [D; 3]); 3] {
     let [a, b, c] = sums;
@@ -148,7 +148,7 @@ fn irregular<D: Scalar>(sums: [[D; 3]; 3]) -> [D; 12] {
     }))
 }
 
-/// One list of the three.
+/// The three as one list.
 #[inline]
 fn flat<D: Scalar>([[a, b, c, d], [e, f, g, h], [i, j, k, l]]: [[D; 4]; 3]) -> [D; 12] {
     [a, b, c, d, e, f, g, h, i, j, k, l]
@@ -160,7 +160,7 @@ fn flat<D: Scalar>([[a, b, c, d], [e, f, g, h], [i, j, k, l]]: [[D; 4]; 3]) -> [
 /// F_axial1 = F·e1a,   F_axial3 = F·e3b,   F_bend = W·(e1a × e3b)
 /// ```
 ///
-/// where W stands instead of F since e1a has nothing across the cross.
+/// with W instead of F, since e1a has no component normal to the cross.
 struct Force<D> {
     whole: Vector3<D>,
     e_cross: Vector3<D>,
@@ -183,9 +183,9 @@ impl<D: Scalar> Force<D> {
         }
     }
 
-    /// The gradient of what has these derivatives by F_axial1, F_axial3 and the other loads and measures.
+    /// The gradient of a number with these derivatives with respect to F_axial1, F_axial3 and the other loads and dimensions.
     ///
-    /// In a step of F the moment changes by p·dF + (∂M/∂F_bend) e_cross·dW, where p is its derivative in the plane of the
+    /// For a variation of F the moment changes by p·dF + (∂M/∂F_bend) e_cross·dW, where p is its derivative in the plane of the
     /// two axes.
     #[inline]
     fn chain(&self, i: &JointLoads<D>, by_axial1: D, by_axial3: D, by: &ByLoads<D>) -> JointLoads<D> {

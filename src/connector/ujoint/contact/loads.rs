@@ -1,4 +1,4 @@
-//! What the contact moments are of: positions, loads and measures of the joint, and its loads at the centre of the cross.
+//! The inputs of the contact moments: orientation, loads and dimensions of the joint, and its loads at the centre of the cross.
 
 use crate::connector::ujoint::{Arm, Bending, CrossForces, CrossLoads, Decomposition, Twist};
 use crate::fields;
@@ -8,7 +8,7 @@ use crate::number::scalar::Scalar;
 use nalgebra::Vector3;
 
 fields! {
-    /// How the nodes are turned, the loads that the joint transmits, and the measures of the cross.
+    /// The orientation of the nodes, the loads that the joint transmits, and the dimensions of the cross.
     pub struct JointLoads<T> {
         e1a: Vector3<T> = E1A, e2a: Vector3<T> = E2A, e3a: Vector3<T> = E3A, e3b: Vector3<T> = E3B,
         f1: T = JOIN_F1, f2: T = F2, f3: T = F3, m2: T = TWIST_M2, rp: T = RP, la: T = LA, ra: T = RA, ls: T = LS,
@@ -62,14 +62,14 @@ impl<D: Scalar> JointLoads<D> {
         }
     }
 
-    /// The force along the axes of the cross and across them.
+    /// The force along the axes of the cross and normal to them.
     #[inline]
     pub(crate) fn at_centre(&self) -> CrossForces<D> {
         Decomposition::eval(&self.cross_loads())
     }
 }
 
-/// The moment of the axial force, which is none where Ra = 0, and of the force that presses pin and sleeve together.
+/// The moment due to the axial force, 0 if Ra = 0, and due to the force that presses pin and sleeve together.
 #[inline]
 pub(super) fn moment<D: Scalar>(axial: D, pressing: D, ra: D, rp: D) -> D {
     axial * ra + pressing * rp

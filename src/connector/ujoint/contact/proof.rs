@@ -1,4 +1,4 @@
-//! Evidence for the formula next door: cases, kinks, laws.
+//! Evidence for the formula of the parent module: cases, kinks, laws.
 
 use super::{ContactMomentPair, ContactMoments, JointLoads};
 use crate::Octuple;
@@ -84,7 +84,7 @@ fn equal_pairs(left: ContactMomentPair<Octuple>, right: ContactMomentPair<Octupl
     law::equal_all([(left.mc1, right.mc1), (left.mc3, right.mc3)])
 }
 
-/// The cases of the contact moments, and of what is made of them.
+/// The cases of the contact moments, and of formulas that use them.
 pub(crate) fn hard_cases() -> Vec<Case<JointLoads<f64>>> {
     let hand = hand();
     let mut cases = vec![

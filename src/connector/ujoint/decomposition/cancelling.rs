@@ -1,6 +1,6 @@
-//! The three products where their terms cancel, in the numbers' own arithmetic, without losing the sign.
+//! The three products if their terms cancel, computed in the arithmetic of the number type without losing the sign.
 //!
-//! Products of pairs double the digits. Where even these leave the sign open, which includes terms that cancel exactly,
+//! Products of pairs double the digits. If the sign is still uncertain, which includes terms that cancel exactly, exact
 //! expansions decide.
 
 use super::{CrossForces, CrossLoads};
@@ -9,17 +9,18 @@ use crate::number::eft::Pair;
 use crate::number::scalar::{Leaf, Scalar, abs, choice, leaf, with_leaf};
 use nalgebra::Vector3;
 
-/// The rounding error of a sum in pairs is below this part of the sum of the sizes of all products: at most 90 u² = 22.5 ε².
+/// The rounding error of a sum in pairs is below this fraction of the sum of the sizes of all products: at most 90 u² = 22.5 ε².
 const fn rounding_of_pairs<L: Leaf>() -> f64 {
     32.0 * L::EPSILON * L::EPSILON
 }
 
 impl<D: Scalar> CrossLoads<D> {
-    /// Replaces what is doubtful. By value, since a reference would keep the loads in memory for those who do not call.
+    /// Replaces doubtful results. `self` is passed by value, since a reference would keep the loads in memory on the paths that
+    /// do not call this.
     #[cold]
     pub(super) fn settled(self, rough: CrossForces<D>) -> CrossForces<D> {
         let doubtful = rough.below(&self.rounding());
-        // Forces near 1: no product leaves the range of the numbers.
+        // The forces are scaled to about 1, so that no product over- or underflows.
         let Binade { unit, per_unit } = Binade::of([self.f1, self.f2, self.f3].map(leaf));
         let loads = self.leaves(per_unit);
         let settle = |doubtful: bool, rough: D, settled: fn(&CrossLoads<D::Leaf>) -> D::Leaf| {
@@ -27,7 +28,8 @@ impl<D: Scalar> CrossLoads<D> {
                 return rough;
             }
             let settled = settled(&loads) * unit;
-            // A zero keeps its sign. Vectors so far from unit length that a product overflows do not tell what was rounded off.
+            // A zero keeps its sign. If vectors are so far from unit length that a product overflows, the rounding errors cannot
+            // be recovered.
             let is_new = settled != leaf(rough) && abs(settled) < f64::INFINITY;
             if is_new { with_leaf(rough, settled) } else { rough }
         };
@@ -42,7 +44,7 @@ impl<D: Scalar> CrossLoads<D> {
         }
     }
 
-    /// What the rounding errors of the three products are below: four units of the sums of the sizes of all products.
+    /// Bounds of the rounding errors of the three products: 4 ε times the sums of the sizes of all products.
     fn rounding(&self) -> CrossForces<D::Leaf> {
         let size = |v: &Vector3<D>| abs(leaf(v.x)) + abs(leaf(v.y)) + abs(leaf(v.z));
         let (e1a, e3b) = (size(&self.e1a), size(&self.e3b));
@@ -56,7 +58,7 @@ impl<D: Scalar> CrossLoads<D> {
         }
     }
 
-    /// Without derivatives, and the forces in a unit.
+    /// The loads without derivatives, with scaled forces.
     fn leaves(&self, per_unit: D::Leaf) -> CrossLoads<D::Leaf> {
         let vector = |v: &Vector3<D>| v.map(leaf);
         let force = |f: D| leaf(f) * per_unit;
@@ -73,7 +75,7 @@ impl<D: Scalar> CrossLoads<D> {
 }
 
 impl<D: Scalar> CrossForces<D> {
-    /// Which of them rounding may have given their sign.
+    /// The results whose sign may be due to rounding.
     fn below(&self, rounding: &CrossForces<D::Leaf>) -> CrossForces<bool> {
         let is_below = |x: D, rounding: D::Leaf| abs(leaf(x)) < rounding;
         CrossForces {
@@ -99,7 +101,7 @@ impl<L: Leaf> CrossLoads<L> {
     /// F·(a × b) for the axes a = e1a and b = e3b of the cross.
     fn across(&self) -> L {
         let (a, b) = (&self.e1a, &self.e3b);
-        // A force along an axis of the cross has nothing across; nor has any if the axes are one.
+        // A force along an axis of the cross has no component normal to it; nor has any force if the two axes coincide.
         let across =
             |f: L, e: &Vector3<L>| choice(|| [if f == 0.0 || are_dependent([e, a, b]) { L::zero() } else { f }]);
         let ([f2], [f3]) = (across(self.f2, &self.e2a), across(self.f3, &self.e3a));
@@ -124,8 +126,8 @@ impl<L: Leaf> CrossLoads<L> {
     }
 }
 
-/// The sum of forces times what a product makes of their directions: from pairs, if its sign is certain beside the sum of the
-/// sizes; else exactly.
+/// The sum of forces times a product of their directions: in pairs, if its sign is certain compared with the sum of the sizes;
+/// otherwise exactly.
 #[inline]
 fn settled<L: Leaf, const N: usize, const TERMS: usize>(
     forces: &[(L, Vector3<L>); N],
@@ -140,7 +142,7 @@ fn settled<L: Leaf, const N: usize, const TERMS: usize>(
                 continue;
             }
             sizes += abs(*f) * size(e);
-            // Of one force alone the product comes last, where a rounding is all that it costs.
+            // A single force is multiplied last, where it costs only one rounding.
             fine = Some(match fine {
                 None => (in_pairs(e), *f),
                 Some((sum, g)) => (sum * g + in_pairs(e) * *f, L::one()),
@@ -175,7 +177,7 @@ mod tests {
     }
 
     proptest! {
-        /// What is above the bound that costs less is above the others, whatever the sizes.
+        /// The cheaper bound is above the others, whatever the sizes.
         #[test]
         fn most_rounding_is_above_each(
             vectors in prop::array::uniform4(vector()), forces in prop::array::uniform3(-4.0..4.0_f64),
@@ -191,7 +193,8 @@ mod tests {
             }
         }
 
-        /// Terms may be few of the smallest numbers: what rounding decides is still not above the bound.
+        /// Terms may be small multiples of the smallest number: a result whose sign rounding may decide is still not above the
+        /// bound.
         #[test]
         fn most_rounding_does_not_underflow(m in 1..8_i32, n in 1..8_i32, size in 60..300_i32) {
             let (m, n, smallest, large) = (f64::from(m), f64::from(n), f64::from_bits(1), 2.0_f64.powi(size));
@@ -203,7 +206,7 @@ mod tests {
             prop_assert!(rough.smallest() <= i.most_rounding());
         }
 
-        /// Where large terms cancel exactly, tiny ones remain, which no rounding touches.
+        /// If large terms cancel exactly, tiny ones remain, unaffected by rounding.
         #[test]
         fn what_remains_beside_terms_that_cancel_is_told(
             e1a in vector(), e3a in vector(), factors in prop::array::uniform2(-8..8_i8), size in -600..600_i32,
@@ -239,14 +242,14 @@ mod tests {
             let (f2, f3) = ((1.0 + TINY) * size, -size);
             let two = Decomposition::eval(&CrossLoads { e1a, e2a, e3a, f2, f3, ..none });
             assert_eq!(two.f_axial1, -TINY * TINY * (1.0 + TINY) * size);
-            // (1 + ε)² − (1 + 2ε) + ε²/4, from one; in doubles the last term is left alone.
+            // (1 + ε)² − (1 + 2ε) + ε²/4, from one force; in doubles only the last term remains.
             let e3a = Vector3::new(1.0 + TINY, 1.0 + 2.0 * TINY, 0.5 * TINY);
             let e1a = Vector3::new(1.0 + TINY, -1.0, 0.5 * TINY);
             let one = Decomposition::eval(&CrossLoads { e1a, e3a, f3: size, ..none });
             assert_eq!(one.f_axial1, 1.25 * TINY * TINY * size);
             let one = Decomposition::eval(&CrossLoads { e1a, e2a: e3a, f2: size, ..none });
             assert_eq!(one.f_axial1, 1.25 * TINY * TINY * size);
-            // What is left is below the last digits of a pair.
+            // The remainder is below the last digits of a pair.
             let [small, smaller] = [-60, -120].map(|n| 2.0_f64.powi(n));
             let e1a = Vector3::new(1.0, 1.0, 1.0);
             let [e2a, e3a] = [smaller, 0.0].map(|z| Vector3::new(1.0, small, z));

@@ -1,4 +1,4 @@
-//! Evidence for the formula next door: cases, laws.
+//! Evidence for the formula of the parent module: cases, laws.
 
 use super::{CrossForces, CrossLoads, Decomposition};
 use crate::Octuple;
@@ -84,7 +84,7 @@ pub(crate) fn hard_loads() -> Vec<HardLoads> {
         loads.push(HardLoads { id, comment, inputs: CrossLoads { e1a, e2a, e3a, e3b, f1, f2, f3 } });
     };
     for (id, comment, a, e3b) in positions {
-        // A force of few digits could make a result that lies exactly between two doubles, which 237 bits do not see.
+        // A force with few digits could give a result exactly halfway between two doubles, which 237 bits do not detect.
         add(format!("{id}-f1"), comment, a, e3b, [-2.3, 0.0, 0.0]);
         add(format!("{id}-f2"), comment, a, e3b, [0.0, 2.3, 0.0]);
         add(format!("{id}-f3"), comment, a, e3b, [0.0, 0.0, 2.3]);

@@ -1,4 +1,4 @@
-//! What the forces along the axes of the cross make on a hinge.
+//! The loads on a hinge due to the forces along the axes of the cross.
 
 #[cfg(feature = "verify")]
 mod proof;
@@ -23,8 +23,8 @@ fields! {
     }
 }
 
-/// What the axial forces make on each hinge: a force along an axis pulls on the two hinges of that axis with α_axial of its
-/// size, and pushes the two of the other axis sideways with β_axial of it.
+/// The loads on each hinge due to the axial forces: a force along an axis pulls on the two hinges of that axis with α_axial times
+/// its size, and pushes the two of the other axis sideways with β_axial times its size.
 #[derive(Clone, Copy, Debug)]
 pub struct HingeAxial;
 
@@ -92,7 +92,7 @@ impl<D: Scalar> AxialForces<D> {
     }
 }
 
-/// What a hinge takes of a force, with its derivatives by the force and by the arm.
+/// The part of a force that a hinge carries, with its derivatives with respect to the force and to the arm.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::connector::ujoint) struct Shared<D> {
     pub(in crate::connector::ujoint) value: D,
@@ -100,7 +100,7 @@ pub(in crate::connector::ujoint) struct Shared<D> {
     pub(in crate::connector::ujoint) by_arm: Arm<D>,
 }
 
-/// A share, given with its derivatives, of the size of a force.
+/// A share of the size of a force; the share is given with its derivatives.
 #[inline]
 pub(in crate::connector::ujoint) fn share_of<D: Scalar>(force: D, share: D, slope: Arm<D>) -> Shared<D> {
     let size = abs(force);

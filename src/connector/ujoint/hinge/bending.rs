@@ -10,7 +10,7 @@ use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Spec
 use crate::number::scalar::{Scalar, abs, norm, norm_and_direction, sign};
 
 fields! {
-    /// What bends the arms, an arm, and the length of its sleeve.
+    /// The loads that bend the arms, an arm, and the length of its sleeve.
     pub struct Bending<T> { f_bend: T = CROSS_F_BEND, m2: T = TWIST_M2, la: T = LA, rp: T = RP, ls: T = LS }
 }
 fields! {
@@ -18,8 +18,8 @@ fields! {
     pub struct BendingLoads<T> { m_bend_hinge: T = M_BEND_HINGE, m_total_hinge: T = M_TOTAL_HINGE, f_total_bend: T = F_TOTAL_BEND }
 }
 
-/// The bending moments on each hinge, M_bend = |F_bend| La/8 and M_total = √(M_bend² + M_twist²), and the contact force at
-/// both ends of the sleeve that resists them: 2 M_total/Ls, nothing where Ls = 0.
+/// The bending moments on each hinge, M_bend = |F_bend| La/8 and M_total = √(M_bend² + M_twist²), and the contact force at both
+/// ends of the sleeve that resists them: 2 M_total/Ls, 0 if Ls = 0.
 #[derive(Clone, Copy, Debug)]
 pub struct HingeBending;
 
@@ -45,13 +45,13 @@ impl<D: Scalar> Bending<D> {
     }
 }
 
-/// The bending moments on a hinge from the force across the cross and from the twisting moment, at right angles.
+/// The bending moments on a hinge due to the force normal to the cross and to the twisting moment, perpendicular to each other.
 #[inline]
 pub(in crate::connector::ujoint) fn bending<D: Scalar>(f_bend: D, la: D, twist: &TwistLoads<D>) -> [D; 2] {
     [abs(f_bend) * la * 0.125, twist.m_twist_hinge]
 }
 
-/// The contact force that resists a bending moment, half of it at either end of the sleeve; none where Ls = 0.
+/// The contact force that resists a bending moment, half of it at each end of the sleeve; 0 if Ls = 0.
 #[inline]
 pub(in crate::connector::ujoint) fn in_sleeve<D: Scalar>(moment: D, ls: D) -> D {
     if ls == 0.0 { D::zero() } else { moment * 2.0 / ls }

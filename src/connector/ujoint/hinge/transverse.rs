@@ -1,4 +1,4 @@
-//! The whole transverse force on a hinge.
+//! The total transverse force on a hinge.
 
 #![expect(clippy::inline_always, reason = "what is not inlined is not compiled for vectors")]
 
@@ -18,15 +18,15 @@ fields! {
     }
 }
 fields! {
-    /// Whole transverse force on each hinge.
+    /// Total transverse force on each hinge.
     pub struct TransverseForces<T> { f_total_hinge1: T = F_TOTAL_HINGE1, f_total_hinge3: T = F_TOTAL_HINGE3 }
 }
 
-/// The whole transverse force on each hinge, as documented: the root of the squares of a quarter of the force across the
-/// cross, the force of the twisting moment and that of the other axis.
+/// The total transverse force on each hinge, as documented: the root of the sum of the squares of a quarter of the force normal
+/// to the cross, the force due to the twisting moment and that due to the force along the other axis.
 ///
 /// The last two are parallel, in the plane of the cross. On one of the two hinges of an axis they add, on the other they
-/// subtract; the root of the squares lies between.
+/// subtract; the root of the sum of squares lies in between.
 #[derive(Clone, Copy, Debug)]
 pub struct HingeTransverse;
 

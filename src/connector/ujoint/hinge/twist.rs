@@ -1,4 +1,4 @@
-//! What the twisting moment makes on a hinge.
+//! The loads on a hinge due to the twisting moment.
 
 #[cfg(feature = "verify")]
 mod proof;
@@ -18,7 +18,7 @@ fields! {
     pub struct TwistLoads<T> { m_twist_hinge: T = M_TWIST_HINGE, f_twist_hinge: T = F_TWIST_HINGE }
 }
 
-/// What the twisting moment M_twist = |m2| makes on each hinge: the moment α_twist M_twist about the direction across
+/// The loads on each hinge due to the twisting moment M_twist = |m2|: the moment α_twist M_twist about the direction normal to
 /// the cross, and the force β_twist M_twist/La in its plane.
 #[derive(Clone, Copy, Debug)]
 pub struct HingeTwist;

@@ -1,4 +1,4 @@
-//! Evidence for the formulas next door: cases, laws.
+//! Evidence for the formulas of the parent module: cases, laws.
 
 use super::{Constraint, Jointed, Stop, StopAngles};
 use crate::Octuple;
@@ -70,7 +70,7 @@ impl Proved for Constraint {
                 "exchanging the nodes and the arms of the cross changes neither the distance nor the angle that is held",
                 |i| {
                     let ([e1a, e2a, e3a], zero) = (law::orthonormal([i.e1a, i.e2a, i.e3a]), Octuple::zero());
-                    // The other axes of b are any.
+                    // The other axes of b are arbitrary.
                     let [e3b, p, q] = law::orthonormal([i.e3b, i.e2a, i.e1a]);
                     let here = Jointed { e1a, e2a, e3a, e3b, d0: Vector3::from_element(zero), ..*i };
                     let there = Jointed { e1a: e3b, e2a: p, e3a: q, e3b: e1a, xa: i.xb, xb: i.xa, ..here };
@@ -84,10 +84,10 @@ impl Proved for Constraint {
                 "under any translation and spin of both nodes, Jacobianᵀ · (f1, f2, f3, m2) is the force F on b, -F on a with the moment -d × F, and the moment m2 e3b × e1a between them",
                 |i| {
                     let jac = Self::jacobian(i);
-                    let (f, m2) = (i.d0, i.c0); // any numbers will do
+                    let (f, m2) = (i.d0, i.c0); // arbitrary numbers
                     let force = i.e1a * f.x + i.e2a * f.y + i.e3a * f.z;
                     let moment = i.e3b.cross(&i.e1a) * m2;
-                    // What a spin does to a vector: δe = ω × e, so that e × ∂g/∂e is the moment.
+                    // A spin changes a vector by δe = ω × e, so that e × ∂g/∂e is the moment.
                     let on_a =
                         |row: &Jointed<Octuple>| i.e1a.cross(&row.e1a) + i.e2a.cross(&row.e2a) + i.e3a.cross(&row.e3a);
                     let moment_on_a = on_a(&jac.g.x) * f.x + on_a(&jac.g.y) * f.y + on_a(&jac.g.z) * f.z;

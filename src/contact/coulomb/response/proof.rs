@@ -1,4 +1,4 @@
-//! Evidence for the formula next door: cases, kinks, laws.
+//! Evidence for the formula of the parent module: cases, kinks, laws.
 
 use super::{Response, Slid, Sliding};
 use crate::Octuple;
@@ -85,12 +85,12 @@ impl Proved for Response {
     }
 }
 
-/// The size of what slips.
+/// The size of the terms of the slip.
 fn size(i: &Sliding<Octuple>) -> Octuple {
     abs(i.du) + (abs(i.f_before) + i.mu * i.r#fn) / i.k_stick
 }
 
-/// A number is not above 0, to the rounding of terms of this size.
+/// A number is not above 0, to within the rounding error of terms of this size.
 pub(crate) fn not_positive(x: Octuple, term: Octuple) -> Vec<Equation> {
     let excess = if x > 0.0 { x } else { Octuple::zero() };
     law::equal_with(excess, Octuple::zero(), term)

@@ -1,4 +1,4 @@
-//! Evidence for the formula next door: cases, kinks, laws.
+//! Evidence for the formula of the parent module: cases, kinks, laws.
 
 use super::{ReturnMap2d, Tangential2d, Trial2d};
 use crate::Octuple;
@@ -10,7 +10,7 @@ use crate::number::scalar::norm;
 use nalgebra::Vector2;
 use num_traits::Zero;
 
-/// Slips: 5 > 0.25 × 8; transmitted is 2 in the direction (0.6, 0.8).
+/// Slips: 5 > 0.25 × 8; the transmitted force is 2 in the direction (0.6, 0.8).
 const SLIPPING: Trial2d<f64> = Trial2d { f_trial: Vector2::new(3.0, 4.0), mu: 0.25, r#fn: 8.0 };
 
 fn length(v: &Vector2<Octuple>) -> Octuple {

@@ -1,4 +1,4 @@
-//! Evidence for the formulas next door: cases, kinks, laws.
+//! Evidence for the formulas of the parent module: cases, kinks, laws.
 
 use super::{ContactAreaLinear, ContactAreaParabolic, LinearNodes, ParabolicNodes, ThreeAreas, TwoAreas, lengths};
 use crate::Octuple;
@@ -76,7 +76,7 @@ impl Proved for ContactAreaParabolic {
             Case::hard("coincident", "all nodes at one place", nodes([1.5, 1.0], [1.5, 1.0], [1.5, 1.0])),
         ];
         cases.extend(parabolas().into_iter().map(|p| {
-            // Moved right of the axis; lengths of 1e200 would make areas that overflow.
+            // Shifted to the right of the axis; lengths of 1e200 would give areas that overflow.
             let [x1, x2, x3] = p.value.map(|x| if p.id == "huge" { x * 1e-50 } else { x });
             let right = Vector2::new((-x1.x).max(0.0), 0.0);
             Case::hard(p.id, p.comment, ParabolicNodes { x1: x1 + right, x2: x2 + right, x3: x3 + right })

@@ -1,4 +1,4 @@
-//! Evidence for the formula next door: cases, laws.
+//! Evidence for the formula of the parent module: cases, laws.
 
 use super::{Basis, Direction, LocalBasis};
 use crate::formula::Formula;

@@ -1,4 +1,4 @@
-//! The places of a curve that may be the closest one.
+//! The points of a curve that may be the closest one.
 
 use super::expansion::Expansion;
 use super::roots;
@@ -8,12 +8,12 @@ use crate::number::scalar::{Leaf, Scalar, Search, constant, leaf};
 use arrayvec::ArrayVec;
 use nalgebra::Vector2;
 
-/// A place of a curve.
+/// A point of a curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Place<L> {
     /// An end, by its coordinate.
     End(L),
-    /// A place between the ends.
+    /// A point between the ends, by its coordinate.
     Inside(L),
 }
 
@@ -25,16 +25,17 @@ impl<L: Copy> Place<L> {
     }
 }
 
-/// The places of a curve where the distance has a minimum, in order; the ends among them.
+/// The points of a curve where the distance has a minimum, in order, including ends.
 pub(super) struct Candidates<L> {
     pub(super) expansion: Expansion<L>,
     pub(super) places: ArrayVec<Place<L>, 7>,
 }
 
-/// What is searched: the curve between two coordinates, and (xs − X)·Y′ there, which tells whether the distance falls.
+/// The input of the search: the curve between two coordinates, and (xs − X)·Y′ at both, which shows whether the distance
+/// decreases.
 ///
-/// It is told by the full equation, and the search is held to it. So either an end counts or, between ends towards which
-/// the distance rises, a root is found, however near to an end.
+/// This is evaluated with the full equation, and the search relies on it. So either an end is a candidate or, between ends
+/// towards which the distance increases, a root is found, however close to an end.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Reach<L> {
     pub(super) expansion: Expansion<L>,
@@ -55,14 +56,14 @@ impl<L: Leaf> Reach<L> {
             places.push(Place::End(ends[0]));
         }
         places.extend(roots::falling(&expansion.residual(), ends, [low, high]).into_iter().map(Place::Inside));
-        // Also where nothing was found because a number overflowed: the result then says so.
+        // Also if nothing was found because a number overflowed: the result then shows it.
         if high >= 0.0 || places.is_empty() {
             places.push(Place::End(ends[1]));
         }
         Candidates { expansion, places }
     }
 
-    /// The nearest place.
+    /// The nearest point.
     pub(super) fn nearest(&self) -> Place<L> {
         let Expansion { gap, factor, y: [y1, y2, y3] } = self.expansion;
         let ([from, to], [low, high]) = (self.ends, self.residuals);
@@ -79,7 +80,7 @@ impl<L: Leaf> Reach<L> {
 }
 
 impl<L: Leaf> Candidates<L> {
-    /// The nearest; of two that are equally near, the one of smaller coordinate.
+    /// The nearest point; of two that are equally near, the one with the smaller coordinate.
     pub(super) fn nearest(&self) -> Place<L> {
         let is_nearer =
             |place: Place<L>, than: Place<L>| self.expansion.compare(place.coordinate(), than.coordinate()).is_lt();
@@ -88,7 +89,8 @@ impl<L: Leaf> Candidates<L> {
     }
 }
 
-/// The search of [`Reach::nearest`]: finds a number before the first coordinate for that end, behind the last for the other.
+/// The search of [`Reach::nearest`]: it returns a number below the first coordinate for the first end, and above the last for the
+/// last end.
 struct NearestPlace;
 
 impl Search<13> for NearestPlace {
@@ -110,7 +112,7 @@ impl Search<13> for NearestPlace {
 mod tests {
     use super::*;
 
-    /// On the line (u, 0) seen from (foot, 1).
+    /// The line (u, 0), with the slave point at (foot, 1).
     fn reach(foot: f64, residuals: [f64; 2]) -> Reach<f64> {
         let y = [Vector2::x(), Vector2::zeros(), Vector2::zeros()];
         let expansion = Expansion { gap: Vector2::new(foot, 1.0), factor: 1.0, y };

@@ -1,5 +1,5 @@
-//! What the evidence of the closest points shares: the corner z = r² + 1/4, which straight segments and parabolas have in
-//! common, and where a foot has no derivative.
+//! Shared evidence of the closest points: the corner z = r² + 1/4, which straight segments and parabolas have in common, and the
+//! points where a foot has no derivative.
 
 use super::candidates::{Candidates, Reach};
 use super::foot::Foot;
@@ -12,7 +12,7 @@ use crate::formula::proof::{Case, Kink};
 use crate::number::scalar::{Leaf, Scalar, direction};
 use nalgebra::Vector2;
 
-/// Slave points about the corner, given by their place (r, z) seen from the vertex; but for the first, which names it.
+/// Slave points around the corner, given by their position (r, z) relative to the vertex; except for the first, which names it.
 pub(super) fn cases<I>(at_corner: fn(f64, f64) -> I) -> Vec<Case<I>> {
     vec![
         Case::hand("on-the-curve", "separation 0", at_corner(0.25, 0.3125)),
@@ -30,8 +30,8 @@ pub(super) fn cases<I>(at_corner: fn(f64, f64) -> I) -> Vec<Case<I>> {
     ]
 }
 
-/// A slave point from two numbers that were drawn: the foot at −1 … 1 along the line, in three of ten beyond an end, and the
-/// distance from it. `on` gives a place on the line, and the tangent there.
+/// A slave point from two random numbers: the foot at −1 … 1 along the line, in three of ten cases beyond an end, and the
+/// distance from it. `on` gives a point of the line, and the tangent there.
 pub(in crate::contact::slide_line) fn slave_point(
     drawn: Vector2<f64>,
     on: impl Fn(f64) -> [Vector2<f64>; 2],
@@ -42,10 +42,10 @@ pub(in crate::contact::slide_line) fn slave_point(
 
 /// Whether inputs are on a kink.
 type Holds<F> = fn(&<F as Formula>::Inputs<Octuple>) -> bool;
-/// A point on it, or a direction across.
+/// A point on the kink, or a direction away from it.
 type Inputs<F> = fn() -> <F as Formula>::Inputs<f64>;
 
-/// Where the foot has no derivative: it enters or leaves an end, there are two, or several merge.
+/// The points where the foot has no derivative: it enters or leaves an end, there are two feet, or several merge.
 pub(super) fn kinks<F: Formula>(holds: [Holds<F>; 3], at: [Inputs<F>; 3], across: Inputs<F>) -> Vec<Kink<F>> {
     let conditions = [
         r"(\mathbf{x}_s-\mathbf{X})\cdot\mathbf{X}' = 0 \text{ at } t = 0 \text{ or } 1",
@@ -57,7 +57,7 @@ pub(super) fn kinks<F: Formula>(holds: [Holds<F>; 3], at: [Inputs<F>; 3], across
 }
 
 impl<D: Scalar, S: Shape<N>, const N: usize> View<D, S, N> {
-    /// Whether two places of the whole curve are equally near.
+    /// Whether two points of the whole curve are equally near.
     pub(super) fn is_tied(&self) -> bool {
         Reach::new(self, S::ENDS.map(D::Leaf::from)).candidates().tied()
     }
@@ -76,7 +76,7 @@ impl<D: Scalar, const N: usize> Foot<D, N> {
 }
 
 impl<L: Leaf> Candidates<L> {
-    /// Whether another place is as near as the nearest.
+    /// Whether another point is as near as the nearest.
     fn tied(&self) -> bool {
         let best = self.nearest().coordinate();
         let mut others = self.places.iter().map(|place| place.coordinate()).filter(|&u| u != best);
@@ -92,7 +92,7 @@ mod tests {
 
     #[test]
     fn two_places_are_tied_whatever_a_third_is() {
-        // The distance to (u, 0), seen from (0, 1).
+        // The distance to (u, 0) from (0, 1).
         let expansion =
             Expansion { gap: Vector2::y(), factor: 1.0, y: [Vector2::x(), Vector2::zeros(), Vector2::zeros()] };
         let tied = |places: &[f64]| {

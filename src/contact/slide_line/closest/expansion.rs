@@ -31,7 +31,7 @@ impl<D: Leaf> Expansion<D> {
         ((y3 * u + y2) * u + y1) * u
     }
 
-    /// How the distance at u compares with that at v, both being minima; equal where rounding hides which is less.
+    /// Compares the distance at u with that at v, both being minima; equal if rounding hides which is smaller.
     pub(super) fn compare(&self, u: D, v: D) -> Ordering {
         // |G_u|² − |G_v|² = (G_u − G_v)·(G_u + G_v)
         let [reach_u, reach_v] = [u, v].map(|u| self.y_at(u) * self.factor);
@@ -66,7 +66,7 @@ mod tests {
         }
     }
 
-    /// On the line (2u, 0) halved, seen from `gap`: u and v are equally far where their mean is the foot.
+    /// On the line (2u, 0) scaled by ½, from `gap`: u and v are equally far if their mean is the foot.
     #[test]
     fn distances_that_are_equal_but_for_rounding_compare_as_equal_whatever_is_large() {
         let compare = |gap: f64, u: f64, v: f64| {
@@ -79,7 +79,7 @@ mod tests {
             found
         };
         let a_little = 4.0 * f64::EPSILON;
-        // Reaches of either sign and no gap; a gap and one reach alone; a large gap.
+        // Reaches of either sign and no gap; a gap and one reach only; a large gap.
         for (gap, u, v) in [(0.0, -1.0, 1.0), (1.0, 0.0, 2.0), (-1.0, 0.0, -2.0), (8.0, 7.0, 9.0)] {
             assert_eq!(compare(gap, u, v), Ordering::Equal);
             for size in [1.0 - a_little, 1.0 + a_little] {

@@ -1,4 +1,4 @@
-//! The foot of the slave point on a curve: found among the candidates, settled, and given its derivatives.
+//! The foot of the slave point on a curve: selected from the candidates, refined, and given its derivatives.
 
 use super::candidates::{Place, Reach};
 use super::view::{CurveAt, View};
@@ -13,27 +13,28 @@ use nalgebra::Vector2;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Foot<D, const N: usize> {
     pub(super) u: D,
-    /// What the foot is from u, as far as the numbers tell: less than half the distance to the next.
+    /// The remaining difference of the foot from u, as far as the precision allows: less than half the distance to the next
+    /// number.
     pub(super) missing: D,
-    /// The weights of the nodes in X, for a change of the separation.
+    /// The weights of the nodes in X, for the variation of the separation.
     ///
-    /// Beyond an end they are those of the point of the tangent that is closest to the slave point.
+    /// Beyond an end they are those of the point on the tangent that is closest to the slave point.
     pub(super) weights: [D; N],
     /// The weights of the nodes in Y′.
     pub(super) rates: [D; N],
-    /// xs minus the foot or, beyond an end that does not turn with f, the closest point of the tangent.
+    /// xs minus the foot or, beyond an end whose tangent does not rotate with f, minus the closest point of the tangent.
     pub(super) gap: Vector2<D>,
     /// Y′.
     pub(super) rate: Vector2<D>,
-    /// 1/r′, or 0 where the foot does not move.
+    /// 1/r′, or 0 if the foot does not move.
     pub(super) per_slope: D,
-    /// How far the slave point is beyond an end: its distance along the tangent, per |Y′|; 0 inside.
+    /// The distance of the slave point beyond an end along the tangent, divided by |Y′|; 0 inside.
     pub(super) beyond: D,
     pub(super) inside: bool,
 }
 
 impl<D: Scalar, const N: usize> Foot<D, N> {
-    /// Whether Y′ is no more than the rounding of its terms.
+    /// Whether Y′ is no larger than the rounding errors of its terms.
     pub(super) fn stands_still<S: Shape<N>>(&self, view: &View<D, S, N>) -> bool {
         let base = view.nodes[N / 2];
         let size = |v: Vector2<D>| abs(v.x) + abs(v.y);
@@ -41,12 +42,12 @@ impl<D: Scalar, const N: usize> Foot<D, N> {
         size(self.rate) <= terms.fold(D::zero(), |sum, term| sum + term) * (8.0 * f64::EPSILON)
     }
 
-    /// On the whole curve.
+    /// The foot on the whole curve.
     pub(super) fn on<S: Shape<N>>(view: &View<D, S, N>) -> Self {
         Self::between(view, S::ENDS.map(D::Leaf::from))
     }
 
-    /// On the part between two coordinates.
+    /// The foot on the part between two coordinates.
     pub(super) fn between<S: Shape<N>>(view: &View<D, S, N>, ends: [D::Leaf; 2]) -> Self {
         match Reach::new(view, ends).nearest() {
             Place::Inside(u) => Self::inside(view, u, ends),
@@ -54,7 +55,7 @@ impl<D: Scalar, const N: usize> Foot<D, N> {
         }
     }
 
-    /// At a root, brought to working precision and given its derivatives.
+    /// The foot at a root, refined to working precision and given its derivatives.
     pub(super) fn inside<S: Shape<N>>(view: &View<D, S, N>, u: D::Leaf, [from, to]: [D::Leaf; 2]) -> Self {
         let (mut u, mut place) = (constant(u), view.at(constant(u)));
         let next = leaf(u) + place.newton_step();
@@ -64,7 +65,7 @@ impl<D: Scalar, const N: usize> Foot<D, N> {
                 (u, place) = (constant(next), better);
             }
         }
-        // r(u) = 0 also when an input varies, so du = −dr/r′: each step makes one more order of derivatives right.
+        // r(u) = 0 also when an input varies, so du = −dr/r′: each step makes derivatives of one more order correct.
         let slope = leaf(place.slope());
         if slope != 0.0 {
             for _ in 0..D::NDERIV {
@@ -74,8 +75,8 @@ impl<D: Scalar, const N: usize> Foot<D, N> {
                 place = view.at(u);
             }
         }
-        // The foot is between two neighbouring numbers. At the tip of a bent segment the tangent turns within a few
-        // of them, so what is missing is carried on to all that depends on it.
+        // The foot is between two neighbouring numbers. At the tip of a bent segment the tangent rotates within a few of them, so
+        // the remaining difference is applied to everything that depends on it.
         let missing = constant::<D>(place.newton_step());
         let rates = S::rates(view.f, u);
         let weights = moved(S::weights(view.f, u), rates, S::factor(view.f) * missing);
@@ -122,7 +123,7 @@ impl<D: Scalar, const N: usize> Foot<D, N> {
         left(length_and_tangent(self.rate).1)
     }
 
-    /// 1 − u and u of a corner, with what is missing.
+    /// 1 − u and u of a corner, including the remaining difference.
     pub(super) fn parts(&self) -> [D; 2] {
         [-self.u + 1.0 - self.missing, self.u + self.missing]
     }
@@ -146,14 +147,14 @@ impl<D: Scalar, const N: usize> Foot<D, N> {
 }
 
 impl<D: Scalar, const N: usize> Foot<D, N> {
-    /// On the whole curve, unless that [stands still](Self::stands_still) there.
+    /// The foot on the whole curve, unless the curve's derivative [vanishes](Self::stands_still) there.
     pub(super) fn with_tangent<S: Shape<N>>(view: &View<D, S, N>, coordinate: &'static str) -> Result<Self, Error> {
         let foot = Self::on(view);
         if foot.stands_still(view) { Err(Error::NoTangent { coordinate, value: foot.u.re() }) } else { Ok(foot) }
     }
 }
 
-/// Weights of the nodes a step further, from how fast they change.
+/// The weights of the nodes after a step, from their rates.
 #[inline]
 pub(super) fn moved<D: Scalar, const N: usize>(weights: [D; N], rates: [D; N], step: D) -> [D; N] {
     std::array::from_fn(|k| weights[k] + rates[k] * step)
@@ -164,7 +165,7 @@ mod tests {
     use super::*;
     use crate::contact::slide_line::shape::{Parabola, ParabolicCorner};
 
-    /// Between ends that leave no room for a step, all that is to the foot is missing, so that it can be seen.
+    /// If the ends leave no space for a step, the whole difference to the foot remains, so that its effect is visible.
     #[test]
     fn what_is_missing_is_carried_on_to_all_that_depends_on_it() {
         // On (g, g²) at g = 1/2: r = 1/8 and r′ = −1/2.
@@ -209,7 +210,7 @@ mod tests {
         let step = view.at(0.125).newton_step();
         assert_eq!(taken([-1.0, 1.0]), 0.125 + step);
         assert_eq!((taken([0.125 + step, 1.0]), taken([-1.0, 0.125 + step])), (0.125, 0.125));
-        // From beside a maximum of r a step leads far away, where r is larger: r = ½u − 2u³.
+        // From a point next to a maximum of r a step leads far away, where r is larger: r = ½u − 2u³.
         let view = View::<f64, Parabola, 3>::new(Vector2::new(0.0, 0.75), nodes, 0.0);
         let (place, step) = (view.at(0.3125), view.at(0.3125).newton_step());
         assert!(view.at(0.3125 + step).residual().abs() > place.residual().abs());
@@ -223,7 +224,7 @@ mod tests {
             let view = View::<f64, Parabola, 3>::new(Vector2::new(7.0, 1.0), nodes, 0.0);
             Foot::at_end(&view, -1.0).stands_still(&view)
         };
-        // X′(−1) is 2 (x₂ − x₁) − ½ (x₃ − x₁), of terms that add up to 3 where x₂ is the quarter point.
+        // X′(−1) is 2 (x₂ − x₁) − ½ (x₃ − x₁), with terms that add up to 3 if x₂ is the quarter point.
         assert_eq!([0.0, 1e-15, 1e-14, 1e-13, 1.0].map(|by| at(1.0 + by)), [true, true, false, false, false]);
     }
 }

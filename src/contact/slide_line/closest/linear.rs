@@ -25,19 +25,19 @@ fields! {
 
 /// Closest point of a straight segment: (xs − X)·X′ = 0, or the nearer end; E11 = (xs − X)·n.
 ///
-/// The separation is the distance from the whole straight line, beyond the ends too, so an end is a kink of g alone.
+/// The separation is the distance from the whole straight line, also beyond the ends, so an end is a kink of g only.
 #[derive(Clone, Copy, Debug)]
 pub struct ClosestLinear;
 
-/// What value and Jacobian have in common.
+/// The common part of value and Jacobian.
 #[derive(Clone, Copy, Debug)]
 struct Projection<D> {
     /// 1/ℓ.
     per_length: D,
     t: Vector2<D>,
-    /// Distance of the slave point from the straight line, to the left of it.
+    /// The distance of the slave point from the straight line, positive to its left.
     separation: D,
-    /// Weights of the nodes at the foot on the whole line: inside the segment where both are positive.
+    /// The weights of the nodes at the foot on the whole line: it is inside the segment if both are positive.
     weights: [D; 2],
 }
 
@@ -48,7 +48,7 @@ impl<D: Scalar> Projection<D> {
         let per_length = length.recip();
         let (from_1, from_2) = (i.xs - i.x1, i.xs - i.x2);
         let (n1, n2) = (-from_2.dot(&t) * per_length, from_1.dot(&t) * per_length);
-        // From the nearer node, so that the far one does not blur it.
+        // Measured from the nearer node, so that rounding errors of the far one have no effect.
         let gap = if n1 > n2 { from_1 } else { from_2 };
         Self { per_length, t, separation: t.perp(&gap), weights: [n1, n2] }
     }
@@ -60,11 +60,11 @@ impl<D: Scalar> Projection<D> {
         f64::from(n1 <= 0.0) - f64::from(n2 <= 0.0)
     }
 
-    /// On the whole line, past the ends of the segment too.
+    /// The foot on the whole line, also past the ends of the segment.
     #[inline]
     fn foot_on_line(&self) -> SegmentFoot<D> {
         let [n1, n2] = self.weights;
-        // From the smaller weight, which keeps g between the ends: the rounded weights do not add up to 1.
+        // Computed from the smaller weight, which keeps g between the ends: the rounded weights do not add up to 1.
         let g = if n1 > n2 { n2 * 2.0 - 1.0 } else { -(n1 * 2.0) + 1.0 };
         SegmentFoot { g, separation: self.separation }
     }
@@ -89,7 +89,7 @@ impl<D: Scalar> Projection<D> {
         LinearSlave { xs: n, x1: n * -n1, x2: n * -n2 }
     }
 
-    /// ∂g/∂xs = 2t/ℓ, and a turn of the segment moves the foot by the separation.
+    /// ∂g/∂xs = 2t/ℓ, and a rotation of the segment moves the foot by the separation.
     #[inline]
     fn gradients_on_line(&self) -> SegmentFoot<LinearSlave<D>> {
         let ([n1, n2], n) = (self.weights, left(self.t));
@@ -102,7 +102,7 @@ impl<D: Scalar> Projection<D> {
 }
 
 impl ClosestLinear {
-    /// Value and Jacobian of the closest point of the whole line, past the ends of the segment too.
+    /// Value and Jacobian of the closest point of the whole line, also past the ends of the segment.
     #[inline]
     pub(crate) fn on_line<D: Scalar>(i: &LinearSlave<D>) -> ValueAndJacobian<Self, D> {
         let projection = Projection::new(i);

@@ -4,18 +4,18 @@
 //! polynomial equation of degree 1, 3 or 5. The algorithm, for every curve:
 //!
 //! 1. Scale the curve to a unit near its own size, a power of two ([`View`]), and expand X in powers of u ([`Expansion`]).
-//! 2. Find every root where (xs − X)·X′ falls through 0, a minimum of the distance: bracketed by the roots of the
-//!    derivative, by Newton's method or halving ([`roots`]), in numbers without derivatives, in all their digits.
-//! 3. Add an end where the distance rises from it into the curve ([`Reach`]).
-//! 4. Take the nearest of them; of two equally near, as far as rounding tells, the one of smaller coordinate.
-//! 5. Settle it in the full scalar ([`Foot`]): one step of Newton's method on the equation from differences of nodes.
-//! 6. Give it its derivatives by the implicit function theorem: a further step for each order of them.
-//! 7. Carry what the nearest double still leaves of the step on to weights, gap and tangent.
-//! 8. Measure E11 = (xs − X)·n; beyond an end from the tangent there.
+//! 2. Find every root at which (xs − X)·X′ falls through 0, a minimum of the distance: bracketed by the roots of the
+//!    derivative, by Newton's method or bisection ([`roots`]), in numbers without derivatives, to full precision.
+//! 3. Add an end if the distance increases from it into the curve ([`Reach`]).
+//! 4. Take the nearest of them; of two that are equally near to within rounding errors, the one with the smaller coordinate.
+//! 5. Refine it in the full scalar ([`Foot`]): one step of Newton's method on the equation from differences of nodes.
+//! 6. Compute its derivatives by the implicit function theorem: a further step for each order.
+//! 7. Apply the remaining fraction of a step, below the resolution of doubles, to weights, gap and tangent.
+//! 8. Compute E11 = (xs − X)·n; beyond an end from the tangent there.
 //!
-//! With r(u) = (xs − X)·X′ the closed form is ∂u/∂xs = −X′/r′ and ∂u/∂xᵢ = (Nᵢ X′ − Nᵢ′ (xs − X))/r′; and since to first
-//! order the motion of the foot does not matter, ∂E11/∂xs = n and ∂E11/∂xᵢ = −Nᵢ n, with Nᵢ + τ Nᵢ′ in place of Nᵢ beyond
-//! an end, τ = (xs − X)·X′/|X′|².
+//! With r(u) = (xs − X)·X′ the closed form is ∂u/∂xs = −X′/r′ and ∂u/∂xᵢ = (Nᵢ X′ − Nᵢ′ (xs − X))/r′; and since to first order
+//! the motion of the foot is irrelevant, ∂E11/∂xs = n and ∂E11/∂xᵢ = −Nᵢ n, with Nᵢ + τ Nᵢ′ in place of Nᵢ beyond an end,
+//! τ = (xs − X)·X′/|X′|².
 //!
 //! At a centre of curvature r′ = 0: two feet merge, and the coordinate u has no derivative; it is set to 0 there.
 //! Near it u is as ill-conditioned as 1/r′, but the separation is not.

@@ -33,7 +33,7 @@ impl<D: Scalar> ParabolicSlave<D> {
 }
 
 impl<D: Scalar> ParabolicSlave<D> {
-    /// The foot, unless two nodes coincide or the curve stands still there.
+    /// The foot, unless two nodes coincide or the curve's derivative vanishes there.
     fn checked_foot(&self) -> Result<(View<D, Parabola, 3>, Foot<D, 3>), Error> {
         check_distinct([("x1", self.x1), ("x2", self.x2), ("x3", self.x3)])?;
         let view = self.view();

@@ -1,4 +1,4 @@
-//! The closest point of one piece of a slide line: of a segment, or of what smoothed corners leave of it, or of a corner.
+//! The closest point of one piece of a slide line: of a segment, of the part of it between smoothed corners, or of a corner.
 
 use super::{ClosestLinear, Foot, LinearSlave, View};
 use crate::Scalar;
@@ -18,18 +18,18 @@ pub(in crate::contact::slide_line) struct PieceFoot<D> {
     pub(in crate::contact::slide_line) inside: bool,
     /// The distance to the piece.
     pub(in crate::contact::slide_line) distance: f64,
-    /// How far the slave point is past an end, along the outward tangent there.
+    /// The distance of the slave point past an end, along the outward tangent there.
     pub(in crate::contact::slide_line) beyond: D,
     pub(in crate::contact::slide_line) tangent: Vector2<D>,
-    /// From the tangent.
+    /// The separation from the tangent.
     pub(in crate::contact::slide_line) separation: D,
-    /// Of the piece's nodes; they add up to 1.
+    /// The weights of the piece's nodes; they add up to 1.
     pub(in crate::contact::slide_line) weights: ArrayVec<D, 5>,
-    /// Whether the curve stands still there and the tangent is only the rounding of its terms.
+    /// Whether the curve's derivative vanishes there, so that the tangent consists of rounding errors.
     pub(in crate::contact::slide_line) stands_still: bool,
 }
 
-/// On the part of a straight segment between two coordinates.
+/// The foot on the part of a straight segment between two coordinates.
 pub(in crate::contact::slide_line) fn straight_foot<D: Scalar>(
     i: &LinearSlave<D>,
     [from, to]: [f64; 2],
@@ -60,7 +60,7 @@ pub(in crate::contact::slide_line) fn straight_foot<D: Scalar>(
     }
 }
 
-/// On the part of a curve between two coordinates.
+/// The foot on the part of a curve between two coordinates.
 pub(in crate::contact::slide_line) fn curved_foot<D: Scalar, S: Shape<N>, const N: usize>(
     xs: Vector2<D>,
     nodes: [Vector2<D>; N],
@@ -71,7 +71,7 @@ pub(in crate::contact::slide_line) fn curved_foot<D: Scalar, S: Shape<N>, const 
     let foot = Foot::between(&view, [from, to].map(D::Leaf::from));
     let at_end = S::weights(view.f, foot.u);
     let gap = if foot.inside { foot.gap } else { view.gap(at_end) };
-    // At an end the weights are those of the end and a step along the tangent, so that they add up to 1 whatever the step.
+    // At an end the weights are those of the end plus a step along the tangent, so that they add up to 1 whatever the step.
     let on_tangent = std::array::from_fn(|k| at_end[k] + foot.rates[k] * foot.beyond);
     let weights: [D; N] = if foot.inside { foot.weights } else { on_tangent };
     let tangent = length_and_tangent(foot.rate).1;

@@ -1,25 +1,25 @@
-//! Roots of polynomials of degree 5 and less in an interval, in any precision.
+//! Roots of polynomials of degree 5 and lower in an interval, in any precision.
 //!
-//! Between two neighbouring extrema a polynomial crosses zero at most once, and its extrema are the roots of its
-//! derivative: so the roots of every degree are bracketed by those one degree lower, down to the straight line
-//! (Yuksel 2022, "High-Performance Polynomial Root Finding for Graphics"). Inside a bracket every step is Newton's as
-//! long as that stays inside and at least halves the last step, and a bisection otherwise, so each step halves either
-//! the step or the bracket, and the search ends whatever the polynomial. Numbers longer than doubles start from the root
-//! in doubles, and are held to a change of sign beside what they come to.
+//! Between two neighbouring extrema a polynomial crosses zero at most once, and its extrema are the roots of its derivative: so
+//! the roots of every degree are bracketed by those one degree lower, down to the straight line (Yuksel 2022, "High-Performance
+//! Polynomial Root Finding for Graphics"). Inside a bracket a step is Newton's if it stays inside and at least halves the last
+//! step, and a bisection otherwise, so each step halves either the step or the bracket, and the search terminates for every
+//! polynomial. For numbers longer than doubles the search starts from the root in doubles and accepts the result only if the sign
+//! changes next to it.
 //!
-//! The crate polycool does the same in `f64`. The exact reference needs all 237 bits, and where two feet merge, at a
-//! centre of curvature, a root found in `f64` is wrong after eight digits or is not found at all; hence this one, which
-//! the tests compare with polycool.
+//! The crate polycool does the same in `f64`. The exact reference needs all 237 bits, and where two feet merge, at a centre of
+//! curvature, a root found in `f64` is wrong after eight digits or is not found at all; hence this implementation, which the
+//! tests compare with polycool.
 
 use crate::number::scalar::{Leaf, abs};
 use arrayvec::ArrayVec;
 
-/// A double has 1074 + 53 binary places; more halvings cannot be needed.
+/// A double has 1074 + 53 binary digits after the point; more bisections cannot be needed.
 const MOST_STEPS: usize = 1200;
 
-/// Where the polynomial, its constant term first, falls through zero between two ends.
+/// The roots at which the polynomial, with its constant term first, falls through zero between two ends.
 ///
-/// Its values at the ends are given, since the caller may know their signs better; where they are 0 no end counts. If
+/// Its values at the ends are given, since the caller may know their signs better; an end where the value is 0 is not a root. If
 /// the first is positive and the last negative, there is at least one root.
 pub(super) fn falling<L: Leaf>(p: &[L; 6], ends: [L; 2], values: [L; 2]) -> ArrayVec<L, 5> {
     let p = trimmed(p);
@@ -31,7 +31,7 @@ pub(super) fn falling<L: Leaf>(p: &[L; 6], ends: [L; 2], values: [L; 2]) -> Arra
     falls.map(|bracket| bracket.crossing(p)).collect()
 }
 
-/// Where it changes sign, either way.
+/// The roots at which it changes sign, in either direction.
 fn crossings<L: Leaf>(p: &[L], ends: [L; 2]) -> ArrayVec<L, 5> {
     let values = ends.map(|u| value_and_slope(p, u).0);
     let changes = brackets(p, ends, values).into_iter().filter(|b| (b.low < 0.0) != (b.high < 0.0));
@@ -62,7 +62,7 @@ fn brackets<L: Leaf>(p: &[L], ends: [L; 2], [first, last]: [L; 2]) -> ArrayVec<B
 }
 
 impl<L: Leaf> Bracket<L> {
-    /// The place where the polynomial changes sign.
+    /// The point where the polynomial changes sign.
     fn crossing(&self, p: &[L]) -> L {
         if self.high == 0.0 {
             return self.to;
@@ -71,7 +71,7 @@ impl<L: Leaf> Bracket<L> {
         is_long.then(|| self.refined(p)).flatten().unwrap_or_else(|| self.searched(p))
     }
 
-    /// By Newton's method from the place in doubles; `None` unless the polynomial is 0 or changes sign there.
+    /// Newton's method from the root in doubles; `None` unless the polynomial is 0 or changes sign at the result.
     fn refined(&self, p: &[L]) -> Option<L> {
         let doubles: ArrayVec<f64, 6> = p.iter().map(L::re).collect();
         let [from, to, low, high] = [self.from, self.to, self.low, self.high].map(|x| x.re());
@@ -99,7 +99,7 @@ impl<L: Leaf> Bracket<L> {
         is_root.then_some(u)
     }
 
-    /// By Newton's method and bisection from the middle.
+    /// Newton's method and bisection, starting in the middle.
     fn searched(&self, p: &[L]) -> L {
         let Self { mut from, mut to, low, .. } = *self;
         let middle = |from: L, to: L| from + (to - from) * 0.5;
@@ -134,23 +134,23 @@ impl<L: Leaf> Bracket<L> {
     }
 }
 
-/// From a double so many steps come to the last place, unless roots all but coincide.
+/// The number of steps that lead from a double to full precision, unless roots nearly coincide.
 const MOST_REFINEMENTS: usize = 5;
-/// After a step that is so small a part of the root, no other is needed.
+/// After a step that is this small relative to the root, no further one is needed.
 const LAST: f64 = 1e-40;
-/// Just beside a root, by this part of it: a polynomial of well separated roots changes sign there.
+/// The relative distance from a root at which a polynomial with well separated roots has changed sign.
 const BESIDE: f64 = 1e-55;
 
-/// Fractions of this size are looked for among the roots.
+/// The search tries multiples of this fraction as exact roots.
 const SHORT: f64 = 1.0 / (1 << 20) as f64;
 
-/// The nearest multiple of [`SHORT`]. Roots of model problems often are, and then they are met exactly, multiple ones
-/// too, which Newton's method only creeps towards.
+/// The nearest multiple of [`SHORT`]. Roots of model problems are often such multiples, and are then found exactly, including
+/// multiple roots, to which Newton's method converges slowly.
 fn short_fraction<L: Leaf>(u: L) -> L {
     L::from((u.re() / SHORT).round() * SHORT)
 }
 
-/// Without zeros in the highest places.
+/// The polynomial without zero leading coefficients.
 fn trimmed<L: Leaf>(p: &[L]) -> &[L] {
     let degree = p.iter().rposition(|&c| c != 0.0).map_or(0, |k| k + 1);
     &p[..degree]
@@ -196,7 +196,7 @@ mod tests {
         assert_eq!(bracket(&p, [-1.0, 1.0]).refined(&p), Some(Octuple::from(0.25)));
     }
 
-    /// Another root may be so near.
+    /// Another root may be this close.
     #[test]
     fn a_short_root_outside_of_the_bracket_is_not_taken() {
         let [other, root] = [0.5, 0.5 + 2.0_f64.powi(-30)].map(Octuple::from);
@@ -214,7 +214,7 @@ mod tests {
         assert_eq!(bracket(&p, [1.0, 2.0]).crossing(&p), root);
     }
 
-    /// Newton's method creeps towards a root that is three, and one at an end has no sign on its other side.
+    /// Newton's method converges slowly to a triple root, and at a root at an end there is no sign beyond it.
     #[test]
     fn what_is_no_simple_root_between_the_ends_is_not_refined() {
         // (1/3 − u)³

@@ -37,8 +37,8 @@ impl<D: Scalar> LinearCornerSlave<D> {
 
     /// Y′·∂X/∂f with ∂X/∂f = s² (x1−x2) + t² (x3−x2).
     ///
-    /// ∂X/∂f = (X − x2)/f, and at the foot Y′·X = Y′·xs: where the terms of Y′·(xs − x2)/f are the smaller ones, it is free
-    /// of the cancellation in the sum.
+    /// ∂X/∂f = (X − x2)/f, and at the foot Y′·X = Y′·xs: if the terms of Y′·(xs − x2)/f are the smaller ones, it avoids the
+    /// cancellation in the sum.
     fn bulge(&self, view: &View<D, LinearCorner, 3>, foot: &Foot<D, 3>) -> D {
         let terms = |v: Vector2<D>| abs(v.x * foot.rate.x) + abs(v.y * foot.rate.y);
         let [s, t] = foot.parts();
@@ -50,7 +50,7 @@ impl<D: Scalar> LinearCornerSlave<D> {
 }
 
 impl<D: Scalar> LinearCornerSlave<D> {
-    /// The foot, unless two nodes coincide or the curve stands still there.
+    /// The foot, unless two nodes coincide or the curve's derivative vanishes there.
     fn checked_foot(&self) -> Result<(View<D, LinearCorner, 3>, Foot<D, 3>), Error> {
         check_distinct([("x1", self.x1), ("x2", self.x2)])?;
         check_distinct([("x2", self.x2), ("x3", self.x3)])?;
@@ -109,7 +109,8 @@ impl Formula for ClosestSmoothedLinear {
     )
         .equation(r"t = \operatorname*{arg\,min}_{0 \le t \le 1}\,\lvert\mathbf{x}_s-\mathbf{X}(t)\rvert,\quad E_{11} = \bigl(\mathbf{x}_s-\mathbf{X}(t)\bigr)\cdot\mathbf{n}")
 .given(&[Given::new(r"\mathbf{X}(t),\ \mathbf{X}'", &SmoothedLinearPoint::SPEC), Given::new(r"\mathbf{n}", &LocalBasis::SPEC)])
-        // Above 8 at few random points: the separation by f, where both segments are nearly in line.
+        // Above 8 at a few random points: the derivative of the separation with respect to f, if both segments are nearly
+        // collinear.
         .eta(4.0, 48.0)
         .scale(1e3)
         .finite(Finite::Between);

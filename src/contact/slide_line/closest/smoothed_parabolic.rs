@@ -41,13 +41,13 @@ impl<D: Scalar> ParabolicCornerSlave<D> {
     }
 }
 
-/// The nodes beside the corner.
+/// The nodes on both sides of the corner.
 const BESIDE: [usize; 4] = [0, 1, 3, 4];
 
-/// n·∂X/∂f of these weights of the nodes in ∂X/∂f.
+/// n·∂X/∂f from these weights of the nodes in ∂X/∂f.
 ///
-/// Since n ⟂ Y′, a multiple of Y′ may be taken out of ∂X/∂f: that which takes out its largest term, where what is left is smaller.
-/// So it is free of the cancellation where ∂X/∂f is nearly along the tangent.
+/// Since n ⟂ Y′, a multiple of Y′ may be subtracted from ∂X/∂f: the one that eliminates its largest term, if the remainder is
+/// smaller. This avoids the cancellation where ∂X/∂f is nearly tangential.
 fn across<D: Scalar>(view: &View<D, ParabolicCorner, 5>, foot: &Foot<D, 5>, weights: [D; 5]) -> D {
     let size = |k: usize| {
         let arm = view.nodes[k] - view.nodes[2];
@@ -75,7 +75,7 @@ fn across<D: Scalar>(view: &View<D, ParabolicCorner, 5>, foot: &Foot<D, 5>, weig
 }
 
 impl<D: Scalar> ParabolicCornerSlave<D> {
-    /// The foot, unless two nodes coincide or the curve stands still there.
+    /// The foot, unless two nodes coincide or the curve's derivative vanishes there.
     fn checked_foot(&self) -> Result<(View<D, ParabolicCorner, 5>, Foot<D, 5>), Error> {
         check_distinct([("x1", self.x1), ("x2", self.x2), ("x3", self.x3)])?;
         check_distinct([("x3", self.x3), ("x4", self.x4), ("x5", self.x5)])?;
@@ -92,7 +92,7 @@ impl ClosestSmoothedParabolic {
 
     /// Value and Jacobian at the foot.
     ///
-    /// With respect to f an end moves along its own tangent, so only the turning of that matters there.
+    /// With respect to f an end moves along its own tangent, so that only the rotation of the tangent matters there.
     fn linearized_at<D: Scalar>(
         i: &ParabolicCornerSlave<D>,
         view: &View<D, ParabolicCorner, 5>,
@@ -101,7 +101,7 @@ impl ClosestSmoothedParabolic {
         let ([n1, n2, n3, n4, n5], [m1, m2, m3, m4, m5]) = (foot.weights, foot.rates);
         let t = |n, m| view.per_unit(foot.coordinate_by(n, m));
         let normal = foot.normal();
-        // By f: of X, Y′ and Y″, and of X′, which is f Y′ and hence quadratic in f.
+        // The derivatives with respect to f of X, Y′ and Y″, and of X′, which is f Y′ and hence quadratic in f.
         let [by_f, rates, second_derivatives] = ParabolicCorner::by_fraction(i.f, foot.u);
         let by_f = moved(by_f, ParabolicCorner::rates(i.f * 2.0, foot.u), foot.missing);
         let (point, rate) = (view.combination(by_f), view.combination(moved(rates, second_derivatives, foot.missing)));
@@ -140,7 +140,7 @@ impl Formula for ClosestSmoothedParabolic {
     )
         .equation(r"t = \operatorname*{arg\,min}_{0 \le t \le 1}\,\lvert\mathbf{x}_s-\mathbf{X}(t)\rvert,\quad E_{11} = \bigl(\mathbf{x}_s-\mathbf{X}(t)\bigr)\cdot\mathbf{n}")
 .given(&[Given::new(r"\mathbf{X}(t),\ \mathbf{X}'", &SmoothedParabolicPoint::SPEC), Given::new(r"\mathbf{n}", &LocalBasis::SPEC)])
-        // Of a million entries at random points one is above 128: derivatives by f between nodes whose distances
+        // Of a million entries at random points one is above 128: derivatives with respect to f between nodes whose distances
         // differ by factors of 1e6, where the ends move nearly along the tangent.
         .eta(4.0, 512.0)
         .scale(1e3)

@@ -1,4 +1,4 @@
-//! A curve as seen from the slave point, in a unit of length near its own size.
+//! A curve relative to the slave point, in a unit of length near its own size.
 
 use super::expansion::Expansion;
 use crate::contact::slide_line::shape::{Shape, combination, gap};
@@ -7,9 +7,9 @@ use crate::number::scalar::{Scalar, choice, leaf};
 use nalgebra::Vector2;
 use std::marker::PhantomData;
 
-/// A curve as seen from the slave point, in a unit of length near its own size.
+/// A curve relative to the slave point, in a unit of length near its own size.
 ///
-/// X(u) = X(0) + c Y(u), where the factor c does not move the foot.
+/// X(u) = X(0) + c Y(u), where the factor c does not affect the foot.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct View<D, S, const N: usize> {
     pub(super) xs: Vector2<D>,
@@ -46,12 +46,12 @@ impl<D: Scalar, S: Shape<N>, const N: usize> View<D, S, N> {
         }
     }
 
-    /// A derivative with respect to a position, back in the model's unit of length.
+    /// Converts a derivative with respect to a position back to the model's unit of length.
     pub(super) fn per_unit(&self, gradient: Vector2<D>) -> Vector2<D> {
         self.in_unit(gradient)
     }
 
-    /// For the search of the foot.
+    /// The expansion for the search of the foot.
     pub(super) fn expansion(&self) -> Expansion<D::Leaf> {
         let zero = D::zero();
         let CurveAt { gap, rate, second, factor } = self.at(zero);
@@ -66,7 +66,7 @@ impl<D: Scalar, S: Shape<N>, const N: usize> View<D, S, N> {
     }
 }
 
-/// What a curve is at one of its points.
+/// The curve at one of its points.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct CurveAt<D> {
     /// xs − X.
@@ -80,7 +80,7 @@ pub(super) struct CurveAt<D> {
 }
 
 impl<D: Scalar> CurveAt<D> {
-    /// (xs − X)·Y′: 0 at a foot, positive where the distance falls.
+    /// (xs − X)·Y′: 0 at a foot, positive where the distance decreases.
     pub(super) fn residual(&self) -> D {
         self.gap.dot(&self.rate)
     }

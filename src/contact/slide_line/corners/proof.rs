@@ -1,4 +1,4 @@
-//! Evidence for the formulas next door: cases, laws.
+//! Evidence for the formulas of the parent module: cases, laws.
 
 use super::{LinearCornerPlace, ParabolicCornerPlace, SmoothedLinearPoint, SmoothedParabolicPoint};
 use crate::Octuple;
@@ -117,7 +117,7 @@ impl Proved for SmoothedParabolicPoint {
     }
 }
 
-/// Corners between straight segments that are hard.
+/// Hard corners between straight segments.
 pub(crate) fn linear_corners() -> Vec<Hard<[Vector2<f64>; 3]>> {
     let base = [Vector2::new(-1.0, 0.25), Vector2::new(0.125, -0.5), Vector2::new(0.75, 1.0)];
     let nodes = |x1: [f64; 2], x2: [f64; 2], x3: [f64; 2]| [x1.into(), x2.into(), x3.into()];
@@ -131,7 +131,7 @@ pub(crate) fn linear_corners() -> Vec<Hard<[Vector2<f64>; 3]>> {
     corners
 }
 
-/// Corners between parabolas that are hard.
+/// Hard corners between parabolas.
 pub(crate) fn parabolic_corners() -> Vec<Hard<[Vector2<f64>; 5]>> {
     let [x1, x2, x3, x4, x5] = curved_corner();
     let mut corners = vec![
@@ -162,7 +162,7 @@ pub(crate) fn curved_corner() -> [Vector2<f64>; 5] {
     [[-2.0, 0.5], [-1.125, 0.875], [0.0, 0.25], [0.75, 0.625], [1.0, 1.75]].map(Vector2::from)
 }
 
-/// The nodes far away, tiny and huge.
+/// The same nodes far away, tiny and huge.
 fn moved<const N: usize>(base: [Vector2<f64>; N]) -> Vec<Hard<[Vector2<f64>; N]>> {
     let shifted = |offset: f64| base.map(|x| x + Vector2::new(offset, -offset));
     let scaled = |factor: f64| base.map(|x| x * factor);

@@ -1,13 +1,13 @@
-//! The chain rule: numbers with their derivatives by K others, and what formulas make of them.
+//! The chain rule: numbers with their derivatives with respect to K variables, and formulas applied to them.
 //!
-//! What is composed of formulas has the derivative that is composed of theirs, closed form by closed form.
+//! The derivative of a composition of formulas is composed of their closed-form derivatives.
 
 use crate::formula::{Component, Fields, Formula, ValueAndJacobian};
 use crate::number::scalar::Scalar;
 use nalgebra::SVector;
 use std::ops::{Add, Mul, Neg};
 
-/// A number, and its derivatives by K others.
+/// A number, and its derivatives with respect to K variables.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Term<D, const K: usize> {
     pub(super) value: D,
@@ -21,13 +21,13 @@ impl<D: Scalar, const K: usize> Term<D, K> {
         Self { value, slope }
     }
 
-    /// A number that does not change.
+    /// A constant.
     #[inline]
     pub(super) fn constant(value: D) -> Self {
         Self::new(value, SVector::from_element(D::zero()))
     }
 
-    /// The k-th of the numbers by which derivatives are taken.
+    /// The k-th of the variables with respect to which derivatives are taken.
     #[inline]
     pub(super) fn variable(value: D, k: usize) -> Self {
         Self::new(value, SVector::from_fn(|j, _| if j == k { D::one() } else { D::zero() }))
@@ -58,7 +58,7 @@ impl<D: Scalar, const K: usize> Neg for Term<D, K> {
     }
 }
 
-/// The components of a struct, in an array made for them.
+/// The components of a struct as an array.
 #[inline]
 fn components<T: Component, X: Fields<T>>(x: &X, filler: T) -> X::Array {
     let mut all = X::array_of(filler);
@@ -76,7 +76,7 @@ fn from<T: Component, X: Fields<T>>(components: impl IntoIterator<Item = T>) -> 
     X::from_components(&mut || all.next().expect("there are as many components as the struct has"))
 }
 
-/// What a formula gives at such numbers, from its value and its Jacobian at their values.
+/// A formula applied to such numbers, from its value and its Jacobian at their values.
 #[inline]
 pub(super) fn through<F: Formula, D: Scalar, const K: usize>(
     i: &F::Inputs<Term<D, K>>,
@@ -94,7 +94,7 @@ pub(super) fn through<F: Formula, D: Scalar, const K: usize>(
     from(value.as_ref().iter().zip(gradients.as_ref()).map(|(&value, gradient)| Term::new(value, slope(gradient))))
 }
 
-/// A formula of such numbers.
+/// A formula applied to such numbers.
 #[inline]
 pub(super) fn chain<F: Formula, D: Scalar, const K: usize>(i: &F::Inputs<Term<D, K>>) -> F::Outputs<Term<D, K>> {
     through::<F, D, K>(i, F::linearized)

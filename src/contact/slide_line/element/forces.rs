@@ -1,4 +1,4 @@
-//! What the contact exerts on the slave point and on the segment.
+//! The forces of the contact on the slave point and on the segment.
 
 #[cfg(feature = "verify")]
 mod proof;
@@ -18,39 +18,39 @@ const OURS: Source =
     Document::SLIDE_LINE.ours("Element output", "the section names pressure and shear stress, and prints no forces");
 
 fields! {
-    /// A place on a straight segment, and what acts there.
+    /// A point on a straight segment, and the loads there.
     pub struct LinearLoads<T> {
         x1: Vector2<T> = X1, x2: Vector2<T> = X2, g: T = SEGMENT_G, area: T = AREA, s11: T = S11, s12: T = S12,
     }
 }
 fields! {
-    /// A place on a parabolic segment, and what acts there.
+    /// A point on a parabolic segment, and the loads there.
     pub struct ParabolicLoads<T> {
         x1: Vector2<T> = X1, x2: Vector2<T> = X2, x3: Vector2<T> = X3, g: T = SEGMENT_G,
         area: T = AREA, s11: T = S11, s12: T = S12,
     }
 }
 fields! {
-    /// What the contact exerts on the slave point and on two nodes.
+    /// The forces of the contact on the slave point and on two nodes.
     pub struct LinearForces<T> {
         fs: Vector2<T> = LINE_FORCE_S, f1: Vector2<T> = LINE_FORCE_1, f2: Vector2<T> = LINE_FORCE_2,
     }
 }
 fields! {
-    /// What the contact exerts on the slave point and on three nodes.
+    /// The forces of the contact on the slave point and on three nodes.
     pub struct ParabolicForces<T> {
         fs: Vector2<T> = LINE_FORCE_S, f1: Vector2<T> = LINE_FORCE_1, f2: Vector2<T> = LINE_FORCE_2,
         f3: Vector2<T> = LINE_FORCE_3,
     }
 }
 
-/// On the slave point A (S11 n − S12 t), on the nodes −Nᵢ times that.
+/// The force on the slave point, A (S11 n − S12 t), and those on the nodes, −Nᵢ times that.
 fn acting<D: Scalar, const N: usize>(spot: &Spot<D, N>, [area, s11, s12]: [D; 3]) -> (Vector2<D>, [Vector2<D>; N]) {
     let fs = spot.n * (area * s11) - spot.t * (area * s12);
     (fs, spot.weights.map(|weight| fs * -weight))
 }
 
-/// What contact on a straight segment exerts: pressure along n and shear against t, times the area, shared out by the weights.
+/// The forces of contact on a straight segment: pressure along n and shear against t, times the area, distributed by the weights.
 #[derive(Clone, Copy, Debug)]
 pub struct Linear;
 
@@ -82,7 +82,7 @@ impl Formula for Linear {
     }
 }
 
-/// What contact on a parabolic segment exerts, as on a straight one.
+/// The forces of contact on a parabolic segment, as on a straight one.
 #[derive(Clone, Copy, Debug)]
 pub struct Parabolic;
 

@@ -3,12 +3,13 @@
 //! | | |
 //! |---|---|
 //! | unknowns | the translations of the nodes of the element, then those of the segment under its first node, under its second, and so on |
-//! | state | of every slave node: the place on its segment, and the shear stress |
-//! | matrix | the derivative of all forces: of closest point, pressure, way along the line, shear stress, area and normal |
+//! | state | for every slave node: the position on its segment, and the shear stress |
+//! | matrix | the derivative of all forces: those of closest point, pressure, distance along the line, shear stress, area and normal |
 //! | signs | forces act on the nodes, as everywhere |
 //!
-//! Two slave nodes may touch the same segment; whoever assembles adds up what belongs to one node. A slave node past an end of its
-//! segment transmits nothing: on a line of several segments the next one is then the one to ask. One above an end is on both.
+//! Two slave nodes may touch the same segment; assembly adds up the contributions to each node. A slave node past an end of its
+//! segment transmits nothing: on a line of several segments the next segment must then be used. A slave node exactly above an end
+//! belongs to both.
 
 mod shape;
 #[cfg(all(test, feature = "verify"))]
@@ -23,7 +24,7 @@ use crate::number::scalar::Scalar;
 use nalgebra::{SMatrix, SVector, Vector2};
 use shape::{Curved, Shape, Straight};
 
-/// How the pressure follows from the separation.
+/// The dependence of the pressure on the separation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum PressureLaw {
     /// [`PressureLinear`].
@@ -40,30 +41,31 @@ pub enum PressureLaw {
     },
 }
 
-/// How slave nodes press and rub.
+/// The parameters of pressure and friction at slave nodes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LineContact {
     /// The pressure.
     pub law: PressureLaw,
-    /// Shear stress per slip while it sticks, > 0.
+    /// Stiffness in stick, as shear stress per displacement, > 0.
     pub k_stick: f64,
     /// Friction coefficient, ≥ 0.
     pub mu: f64,
 }
 
-/// What a slave node remembers from one increment to the next.
+/// The state of a slave node between increments.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SlaveState<D> {
-    /// The place on its segment.
+    /// The position on its segment.
     pub g: D,
     /// The shear stress S12.
     pub s12: D,
 }
 
-/// What an element adds to the residual and the matrix of Newton's method; the slave nodes are as many as those of a segment.
+/// The contribution of an element to the residual and the matrix of Newton's method; it has as many slave nodes as a segment has
+/// nodes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pressed<D, const NODES: usize, const DEGREES: usize> {
-    /// What the contact exerts on all nodes.
+    /// The forces of the contact on all nodes.
     pub forces: SVector<D, DEGREES>,
     /// The derivative of these forces.
     pub stiffness: SMatrix<D, DEGREES, DEGREES>,
@@ -77,7 +79,7 @@ pub struct Pressed<D, const NODES: usize, const DEGREES: usize> {
     pub torque_row: SVector<D, DEGREES>,
 }
 
-/// The places of an element with N nodes and of the segments under them.
+/// The positions of the N nodes of an element and of the segments under them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OnLine<D, const N: usize> {
     /// The nodes of the element.
@@ -87,7 +89,7 @@ pub struct OnLine<D, const N: usize> {
 }
 
 impl<D: Scalar, const N: usize> OnLine<D, N> {
-    /// With derivatives by all of them.
+    /// The positions with derivatives with respect to all of them.
     fn varied<const K: usize>(&self) -> OnLine<Term<D, K>, N> {
         let point = |x: Vector2<D>, node: usize| Vector2::from_fn(|k, _| Term::variable(x[k], 2 * node + k));
         let segment = |s: usize| std::array::from_fn(|k| point(self.segments[s][k], N + N * s + k));
@@ -119,12 +121,12 @@ pub struct Isl21a(pub LineContact);
 pub struct Isl22a(pub LineContact);
 
 impl Isl21a {
-    /// What it adds, and the state after.
+    /// The contribution of the element, and the state after the motion.
     pub fn contribution<D: Scalar>(&self, places: &OnLine<D, 2>, before: &[SlaveState<D>; 2]) -> Pressed<D, 2, 12> {
         self.0.contribution::<Straight, D, 2, 12>(places, before)
     }
 
-    /// The same at numbers that are checked.
+    /// The same with checked numbers.
     ///
     /// # Errors
     /// The first number that is not valid, or that something overflowed.
@@ -134,12 +136,12 @@ impl Isl21a {
 }
 
 impl Isl22a {
-    /// What it adds, and the state after.
+    /// The contribution of the element, and the state after the motion.
     pub fn contribution<D: Scalar>(&self, places: &OnLine<D, 3>, before: &[SlaveState<D>; 3]) -> Pressed<D, 3, 24> {
         self.0.contribution::<Curved, D, 3, 24>(places, before)
     }
 
-    /// The same at numbers that are checked.
+    /// The same with checked numbers.
     ///
     /// # Errors
     /// The first number that is not valid, or that something overflowed.

@@ -18,14 +18,14 @@ const OURS: Source =
     Document::SLIDE_LINE.ours("Element output", "the section names separation and slip; these are their variations");
 
 fields! {
-    /// The variations of separation and slip by the translations of the slave point and of two nodes.
+    /// The variations of separation and slip with respect to the translations of the slave point and of two nodes.
     pub struct LinearRows<T> {
         e11_us: Vector2<T> = E11_US, e11_u1: Vector2<T> = E11_U1, e11_u2: Vector2<T> = E11_U2,
         e12_us: Vector2<T> = E12_US, e12_u1: Vector2<T> = E12_U1, e12_u2: Vector2<T> = E12_U2,
     }
 }
 fields! {
-    /// The variations of separation and slip by the translations of the slave point and of three nodes.
+    /// The variations of separation and slip with respect to the translations of the slave point and of three nodes.
     pub struct ParabolicRows<T> {
         e11_us: Vector2<T> = E11_US, e11_u1: Vector2<T> = E11_U1, e11_u2: Vector2<T> = E11_U2,
         e11_u3: Vector2<T> = E11_U3, e12_us: Vector2<T> = E12_US, e12_u1: Vector2<T> = E12_U1,
@@ -33,7 +33,7 @@ fields! {
     }
 }
 
-/// Of the nodes of a segment: −Nᵢ times a vector.
+/// The rows of the nodes of a segment: −Nᵢ times a vector.
 fn of_nodes<D: Scalar, const N: usize>(spot: &Spot<D, N>, v: Vector2<D>) -> [Vector2<D>; N] {
     spot.weights.map(|weight| v * -weight)
 }

@@ -1,10 +1,10 @@
-//! How the normal force of the contact changes with the nodes, while its size is held: λ ∂²E11.
+//! The derivative of the normal force of the contact with respect to the nodes, with its magnitude held constant: λ ∂²E11.
 //!
 //! With aᵢ = (1, −Nᵢ) and bᵢ = (0, Nᵢ′/|X′|) for the slave point and the nodes, t·δ = Σ aᵢ t·δxᵢ is the relative motion along the
-//! line and Σ bᵢ n·δxᵢ the turn of its material. The closest point moves along the line by
-//! δs = (Σ aᵢ t·δxᵢ + E11 Σ bᵢ n·δxᵢ)/(1 − κ E11), and δ²E11 has all there is from that: the blocks
-//! −(aᵢ bⱼ t⊗n + bᵢ aⱼ n⊗t + κ aᵢ aⱼ t⊗t + E11 bᵢ bⱼ n⊗n)/(1 − κ E11), a symmetric matrix. It is infinite where the slave point
-//! is on the centre of curvature, and beyond that the place is not the closest one.
+//! line and Σ bᵢ n·δxᵢ the rotation of its material. The closest point moves along the line by
+//! δs = (Σ aᵢ t·δxᵢ + E11 Σ bᵢ n·δxᵢ)/(1 − κ E11), from which δ²E11 follows: the blocks
+//! −(aᵢ bⱼ t⊗n + bᵢ aⱼ n⊗t + κ aᵢ aⱼ t⊗t + E11 bᵢ bⱼ n⊗n)/(1 − κ E11), a symmetric matrix. It is infinite if the slave point is
+//! at the centre of curvature, and beyond that the point is not the closest one.
 
 #[cfg(feature = "verify")]
 mod proof;
@@ -39,14 +39,14 @@ fields! {
     }
 }
 fields! {
-    /// The blocks on a straight segment that differ; [`matrix`](LinearStiffness::matrix) has them all in their places.
+    /// The distinct blocks on a straight segment; [`matrix`](LinearStiffness::matrix) assembles them.
     pub struct LinearStiffness<T> {
         k_us_u1: Matrix2<T> = LINE_K_US_U1, k_u1_u1: Matrix2<T> = LINE_K_U1_U1, k_u1_u2: Matrix2<T> = LINE_K_U1_U2,
         k_u2_u2: Matrix2<T> = LINE_K_U2_U2,
     }
 }
 fields! {
-    /// The blocks on a parabolic segment; [`matrix`](ParabolicStiffness::matrix) has them in their places.
+    /// The blocks on a parabolic segment; [`matrix`](ParabolicStiffness::matrix) assembles them.
     pub struct ParabolicStiffness<T> {
         k_us_us: Matrix2<T> = LINE_K_US_US, k_us_u1: Matrix2<T> = LINE_K_US_U1, k_us_u2: Matrix2<T> = LINE_K_US_U2,
         k_us_u3: Matrix2<T> = LINE_K_US_U3, k_u1_u1: Matrix2<T> = LINE_K_U1_U1, k_u1_u2: Matrix2<T> = LINE_K_U1_U2,
@@ -65,8 +65,8 @@ fn outer<D: Scalar>(v: &Vector2<D>, w: &Vector2<D>, a: D) -> Matrix2<D> {
 pub struct Linear;
 
 impl Linear {
-    /// With b₂ = −b₁ = 1/ℓ and κ = 0. N₁ P − N₂ Q is ½ (P − Q) − ½ g (P + Q), and P − Q has no direction: λ/ℓ times what turns
-    /// to the right.
+    /// With b₂ = −b₁ = 1/ℓ and κ = 0. N₁ P − N₂ Q is ½ (P − Q) − ½ g (P + Q), and P − Q does not depend on the direction: it is
+    /// λ/ℓ times the rotation by 90° to the right.
     fn at<D: Scalar>(spot: &Spot<D, 2>, i: &LinearTouch<D>) -> LinearStiffness<D> {
         let Spot { t, n, weights: [n1, n2], rates: [_, per_length], .. } = *spot;
         let (half, per) = (D::from(0.5), i.lambda * per_length);
@@ -101,7 +101,7 @@ impl Formula for Linear {
     }
 }
 
-/// At the centre of curvature and beyond it another place is closer.
+/// At the centre of curvature and beyond it another point is closer.
 #[cold]
 fn beyond_centre<D: Scalar>(separation: D) -> Error {
     Error::OutOfRange {
@@ -111,7 +111,7 @@ fn beyond_centre<D: Scalar>(separation: D) -> Error {
     }
 }
 
-/// The slave point (none), or a node.
+/// The slave point (`None`), or a node.
 type Degree = Option<usize>;
 
 /// The geometric stiffness of contact on a parabolic segment, λ ∂²E11.
@@ -126,7 +126,7 @@ struct Values<'p, D> {
 }
 
 impl<D: Scalar> Values<'_, D> {
-    /// All that differ.
+    /// All distinct blocks.
     fn all(&self) -> ParabolicStiffness<D> {
         let [s, a, b, c] = [None, Some(0), Some(1), Some(2)];
         ParabolicStiffness {
@@ -158,7 +158,7 @@ impl Formula for Parabolic {
     const SPEC: Spec = Spec::new("slide_line.geometric_stiffness_parabolic", "Geometric stiffness of contact on a parabolic segment", OURS)
         .equation(r"\begin{aligned} \mathbf{K}_{us,us} &= -c\kappa\,\mathbf{t}\otimes\mathbf{t},\quad \mathbf{K}_{us,u1} = -c\,(\mathbf{t}\otimes\mathbf{b}_1 + \kappa\,\mathbf{t}\otimes\mathbf{a}_1),\quad \mathbf{K}_{us,u2} = -c\,(\mathbf{t}\otimes\mathbf{b}_2 + \kappa\,\mathbf{t}\otimes\mathbf{a}_2),\quad \mathbf{K}_{us,u3} = -c\,(\mathbf{t}\otimes\mathbf{b}_3 + \kappa\,\mathbf{t}\otimes\mathbf{a}_3), \\ \mathbf{K}_{u1,u1} &= -c\,(\mathbf{a}_1\otimes\mathbf{b}_1 + \mathbf{b}_1\otimes\mathbf{a}_1 + \kappa\,\mathbf{a}_1\otimes\mathbf{a}_1 + E_{11}\,\mathbf{b}_1\otimes\mathbf{b}_1),\quad \mathbf{K}_{u1,u2} = -c\,(\mathbf{a}_1\otimes\mathbf{b}_2 + \mathbf{b}_1\otimes\mathbf{a}_2 + \kappa\,\mathbf{a}_1\otimes\mathbf{a}_2 + E_{11}\,\mathbf{b}_1\otimes\mathbf{b}_2), \\ \mathbf{K}_{u1,u3} &= -c\,(\mathbf{a}_1\otimes\mathbf{b}_3 + \mathbf{b}_1\otimes\mathbf{a}_3 + \kappa\,\mathbf{a}_1\otimes\mathbf{a}_3 + E_{11}\,\mathbf{b}_1\otimes\mathbf{b}_3),\quad \mathbf{K}_{u2,u2} = -c\,(\mathbf{a}_2\otimes\mathbf{b}_2 + \mathbf{b}_2\otimes\mathbf{a}_2 + \kappa\,\mathbf{a}_2\otimes\mathbf{a}_2 + E_{11}\,\mathbf{b}_2\otimes\mathbf{b}_2), \\ \mathbf{K}_{u2,u3} &= -c\,(\mathbf{a}_2\otimes\mathbf{b}_3 + \mathbf{b}_2\otimes\mathbf{a}_3 + \kappa\,\mathbf{a}_2\otimes\mathbf{a}_3 + E_{11}\,\mathbf{b}_2\otimes\mathbf{b}_3),\quad \mathbf{K}_{u3,u3} = -c\,(\mathbf{a}_3\otimes\mathbf{b}_3 + \mathbf{b}_3\otimes\mathbf{a}_3 + \kappa\,\mathbf{a}_3\otimes\mathbf{a}_3 + E_{11}\,\mathbf{b}_3\otimes\mathbf{b}_3), \\ c &= \frac{\lambda}{1-\kappa E_{11}},\quad \kappa = \frac{\mathbf{n}\cdot(\mathbf{x}_1-2\,\mathbf{x}_2+\mathbf{x}_3)}{\lvert\mathbf{X}'\rvert^2},\quad \mathbf{a}_1 = -\tfrac12 g(g-1)\,\mathbf{t},\quad \mathbf{a}_2 = -(1-g^2)\,\mathbf{t},\quad \mathbf{a}_3 = -\tfrac12 g(g+1)\,\mathbf{t}, \\ \mathbf{b}_1 &= \frac{g-\tfrac12}{\lvert\mathbf{X}'\rvert}\,\mathbf{n},\quad \mathbf{b}_2 = -\frac{2g}{\lvert\mathbf{X}'\rvert}\,\mathbf{n},\quad \mathbf{b}_3 = \frac{g+\tfrac12}{\lvert\mathbf{X}'\rvert}\,\mathbf{n} \end{aligned}")
         .given(&[Given::new(r"\mathbf{t},\ \mathbf{n}", &LocalBasis::SPEC), Given::new(r"\mathbf{X}'", &ParabolicPoint::SPEC)])
-        // Third derivatives of a closest point: terms of either sign cancel.
+        // Third derivatives of a closest point: terms of opposite signs cancel.
         .eta_of_value(24.0)
         .normwise_of_value(6.0)
         .scale(1e60);
@@ -188,14 +188,14 @@ impl<D: Scalar> ParabolicTouch<D> {
     }
 }
 
-/// A block in its place and, off the diagonal, its transpose in the other.
+/// Inserts a block and, off the diagonal, its transpose in the opposite position.
 fn place<D: Scalar, const M: usize>(all: &mut SMatrix<D, M, M>, row: usize, column: usize, block: &Matrix2<D>) {
     all.fixed_view_mut::<2, 2>(2 * column, 2 * row).copy_from(&block.transpose());
     all.fixed_view_mut::<2, 2>(2 * row, 2 * column).copy_from(block);
 }
 
 impl<D: Scalar> LinearStiffness<D> {
-    /// All blocks in their places, for the translations of the slave point and of both nodes.
+    /// The assembled matrix for the translations of the slave point and of both nodes.
     pub fn matrix(&self) -> Matrix6<D> {
         let mut all = Matrix6::zeros();
         let Self { k_us_u1, k_u1_u1, k_u1_u2, k_u2_u2 } = self;
@@ -208,7 +208,7 @@ impl<D: Scalar> LinearStiffness<D> {
 }
 
 impl<D: Scalar> ParabolicStiffness<D> {
-    /// All blocks in their places, for the translations of the slave point and of the three nodes.
+    /// The assembled matrix for the translations of the slave point and of the three nodes.
     pub fn matrix(&self) -> SMatrix<D, 8, 8> {
         let mut all = SMatrix::zeros();
         let of_slave = [self.k_us_us, self.k_us_u1, self.k_us_u2, self.k_us_u3];

@@ -1,4 +1,4 @@
-//! Slide lines as a model states them: node numbers in sequence.
+//! Slide lines as defined in a model: node numbers in sequence.
 
 use super::interpolation::Interpolation;
 use super::nodes::{Nodes, check_position};
@@ -18,7 +18,7 @@ use std::sync::Arc;
 #[derive(Clone, Debug, PartialEq, Eq)]
 enum Sequence {
     Listed(Arc<[u32]>),
-    /// Not written out, since a wrong one may count billions.
+    /// Not expanded, since an erroneous definition may count billions of nodes.
     Generated {
         first: u32,
         increment: i64,
@@ -45,7 +45,7 @@ impl Sequence {
         }
     }
 
-    /// Written out; shared if it is already.
+    /// The expanded sequence; shared if it is already expanded.
     fn numbers(&self) -> Arc<[u32]> {
         match self {
             Self::Listed(nodes) => Arc::clone(nodes),
@@ -56,8 +56,8 @@ impl Sequence {
 
 /// A slide line (\*SLIDE LINE): the master surface, on which slide-line elements slide.
 ///
-/// The sequence of the nodes gives the tangent, and with it the side of the slave: to the left. A line whose last node
-/// is its first is not taken to be closed.
+/// The sequence of the nodes determines the tangent, and with it the side of the slave: to the left. A line whose last node is
+/// its first is not treated as closed.
 ///
 /// ```
 /// use jointproof::contact::slide_line::{Interpolation, Nodes, Place, SlideLine};
@@ -81,13 +81,13 @@ pub struct SlideLine {
 }
 
 impl SlideLine {
-    /// The smoothing fraction that is usual where none is given.
+    /// The usual smoothing fraction if none is given.
     pub const SMOOTHING: f64 = 0.2;
 
     /// A slide line through these nodes.
     ///
     /// # Errors
-    /// [`Error::NodeCount`]: fewer than two nodes, or of a parabolic line fewer than three or an even number.
+    /// [`Error::NodeCount`]: fewer than two nodes, or for a parabolic line fewer than three or an even number.
     pub fn new(interpolation: Interpolation, nodes: impl Into<Vec<u32>>) -> Result<Self, Error> {
         Self::from_sequence(interpolation, Sequence::Listed(nodes.into().into()))
     }
@@ -139,7 +139,8 @@ impl SlideLine {
         self.sequence.iter()
     }
 
-    /// The formula by which the closest point of a segment or corner is found; where corners are smoothed, theirs.
+    /// The formula by which the closest point of a segment or corner is found; if corners are smoothed, the formula of the
+    /// corners.
     pub(crate) fn closest_formula(&self) -> &'static str {
         match (self.interpolation, self.smoothing) {
             (Interpolation::Linear, None) => ClosestLinear::SPEC.id,
@@ -157,7 +158,7 @@ impl SlideLine {
         }
     }
 
-    /// The line where its nodes are now, ready to be asked for closest points.
+    /// The line at the current positions of its nodes, ready for searches of closest points.
     ///
     /// # Errors
     /// [`Error::UnknownNode`], or [`Error::CoincidentNodes`] of one segment.
@@ -165,12 +166,12 @@ impl SlideLine {
         self.place_by(|node| nodes.position(node))
     }
 
-    /// The same, with the nodes wherever the caller keeps them.
+    /// The same, with positions provided by the caller.
     pub(crate) fn place_by<D: Scalar>(
         &self,
         position: impl Fn(u32) -> Result<Vector2<D>, Error>,
     ) -> Result<PlacedLine<D>, Error> {
-        // Before the numbers are written out: the first that is unknown ends it.
+        // Done before the numbers are expanded: the first unknown node ends it.
         let positions = self.nodes().map(|node| check_position(node, position(node)?)).collect::<Result<_, _>>()?;
         PlacedLine::new(self.interpolation, self.smoothing, self.sequence.numbers(), positions)
     }

@@ -1,6 +1,6 @@
-//! How a slide line goes from node to node.
+//! The interpolation of a slide line between its nodes.
 
-/// How a slide line goes from node to node (TYPE).
+/// The interpolation of a slide line between its nodes (TYPE).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Interpolation {
     /// Straight, from node to node.
@@ -10,7 +10,7 @@ pub enum Interpolation {
 }
 
 impl Interpolation {
-    /// How many nodes further the next segment begins.
+    /// The number of nodes from the beginning of a segment to that of the next.
     pub(super) const fn stride(self) -> usize {
         match self {
             Self::Linear => 1,

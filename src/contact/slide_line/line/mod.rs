@@ -1,4 +1,4 @@
-//! Slide lines as a model has them: stated by node numbers, placed where the nodes are, searched as a whole.
+//! Slide lines in a model: defined by node numbers, placed at the positions of the nodes, searched as a whole.
 
 mod definition;
 mod interpolation;

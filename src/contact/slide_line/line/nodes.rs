@@ -1,13 +1,13 @@
-//! Where the nodes of a model are.
+//! The positions of the nodes of a model.
 
 use crate::Scalar;
 use crate::formula::error::Error;
 use nalgebra::Vector2;
 use std::collections::HashMap;
 
-/// Where the nodes of a model are: (r, z) by node number, in the unit of length, with z along the axis of revolution.
+/// The positions of the nodes of a model: (r, z) by node number, in the unit of length, with z along the axis of revolution.
 ///
-/// One value per state of the model. A slide line and its elements know their nodes by number only.
+/// There is one value per state of the model. A slide line and its elements refer to their nodes by number only.
 ///
 /// ```
 /// use jointproof::contact::slide_line::Nodes;
@@ -23,7 +23,7 @@ use std::collections::HashMap;
 pub struct Nodes<D = f64>(HashMap<u32, Vector2<D>>);
 
 impl<D: Scalar> Nodes<D> {
-    /// The nodes of these numbers and coordinates.
+    /// Nodes with these numbers and coordinates.
     ///
     /// # Errors
     /// [`Error::Node`]: a coordinate that is not finite, a radius below 0, or a number given twice.
@@ -37,7 +37,7 @@ impl<D: Scalar> Nodes<D> {
         Ok(Self(positions))
     }
 
-    /// Where a node is.
+    /// The position of a node.
     ///
     /// # Errors
     /// [`Error::UnknownNode`].
@@ -45,7 +45,7 @@ impl<D: Scalar> Nodes<D> {
         self.0.get(&node).copied().ok_or(Error::UnknownNode { node })
     }
 
-    /// How far a node has moved since an earlier state.
+    /// The displacement of a node since an earlier state.
     ///
     /// # Errors
     /// [`Error::UnknownNode`] in either state.
@@ -55,13 +55,13 @@ impl<D: Scalar> Nodes<D> {
 }
 
 impl Nodes {
-    /// The same places in another scalar, such as `Octuple` for the exact result.
+    /// The same positions in another scalar, such as `Octuple` for the exact result.
     pub fn convert<D: Scalar>(&self) -> Nodes<D> {
         Nodes(self.0.iter().map(|(&node, x)| (node, x.map(D::from))).collect())
     }
 }
 
-/// A position that a node may have.
+/// Checks that a node may have this position.
 pub(crate) fn check_position<D: Scalar>(node: u32, x: Vector2<D>) -> Result<Vector2<D>, Error> {
     let [r, z] = [x.x.re(), x.y.re()];
     if !(r.is_finite() && z.is_finite()) {

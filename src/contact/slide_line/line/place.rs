@@ -1,35 +1,35 @@
-//! What is known about the closest point of a slide line.
+//! The closest point of a slide line.
 
 use crate::Scalar;
 use arrayvec::ArrayVec;
 use nalgebra::Vector2;
 
-/// Where a closest point is in the material of its line. It stays there when the line is moved, turned or stretched.
+/// The material point of a line that is closest. It is unchanged if the line is translated, rotated or stretched.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Foot<D> {
     /// The segment or smoothed corner, in order along the line.
     pub(super) piece: usize,
     /// The coordinate there, g or t.
     pub(super) u: D,
-    /// How far past the end of the line: negative before its first node, positive behind its last.
+    /// The distance past an end of the line: negative before its first node, positive after its last.
     pub(super) beyond: D,
 }
 
-/// Where on a slide line a point is closest.
+/// The location of a closest point on a slide line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Place<D = f64> {
     /// On a segment, counted from 0, at its coordinate g from −1 to 1.
     Segment {
-        /// Which segment.
+        /// The segment.
         index: usize,
-        /// Where on it.
+        /// The coordinate on it.
         g: D,
     },
-    /// On the smoothed corner behind a segment, at its coordinate t from 0 to 1.
+    /// On the smoothed corner after a segment, at its coordinate t from 0 to 1.
     Corner {
         /// The segment before the corner.
         index: usize,
-        /// Where on the corner.
+        /// The coordinate on the corner.
         t: D,
     },
     /// At a node between two segments: a corner that is not smoothed and points to the slave point.
@@ -37,19 +37,19 @@ pub enum Place<D = f64> {
         /// Its number.
         number: u32,
     },
-    /// Past an end of the line, which is taken to go on straight there.
+    /// Past an end of the line, where the line is assumed to continue straight.
     Beyond {
         /// The number of the node at that end.
         number: u32,
-        /// How far past it, along the line; positive, unit of length.
+        /// The distance past it, along the line; positive, in the unit of length.
         distance: D,
     },
 }
 
-/// The closest point of a slide line to a slave point, and how the separation varies.
+/// The closest point of a slide line to a slave point, with the data for the variation of the separation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ClosestPoint<D = f64> {
-    /// Where it is.
+    /// The location.
     pub place: Place<D>,
     /// The unit tangent t, in the sequence of the nodes.
     pub tangent: Vector2<D>,
@@ -57,11 +57,11 @@ pub struct ClosestPoint<D = f64> {
     pub normal: Vector2<D>,
     /// The separation E11, positive when open, in the unit of length.
     pub separation: D,
-    /// The nodes that carry the place, with their weights, which add up to 1.
+    /// The nodes that carry the point, with their weights, which add up to 1.
     pub weights: ArrayVec<(u32, D), 5>,
-    /// Where it is in the material of the line.
+    /// The material point of the line.
     pub(crate) foot: Foot<D>,
-    /// How many segments and corners were looked at to find it.
+    /// The number of segments and corners that were examined to find it.
     pub evaluated: usize,
 }
 
@@ -77,8 +77,8 @@ pub struct OverclosureVariation<D = f64> {
 impl<D: Scalar> ClosestPoint<D> {
     /// The first variation of the overclosure.
     ///
-    /// To first order the motion of the foot along the line does not matter, so the gradient needs no derivative of the
-    /// coordinate g or t.
+    /// To first order the motion of the foot along the line is irrelevant, so the gradient needs no derivative of the coordinate
+    /// g or t.
     ///
     /// ```
     /// use jointproof::contact::slide_line::{Interpolation, Nodes, SlideLine};
@@ -94,7 +94,8 @@ impl<D: Scalar> ClosestPoint<D> {
         OverclosureVariation { slave: -self.normal, masters }
     }
 
-    /// Motion of the slave point relative to the material under it: Σ Nᵢ (Δxs − Δxᵢ), exactly 0 when all move alike.
+    /// The motion of the slave point relative to the material under it: Σ Nᵢ (Δxs − Δxᵢ), exactly 0 if all displacements are
+    /// equal.
     ///
     /// `dx` are the displacement increments of the nodes of [`weights`](Self::weights).
     pub fn relative_motion(&self, dxs: Vector2<D>, dx: &[Vector2<D>]) -> Vector2<D> {

@@ -1,4 +1,4 @@
-//! A slide line where its nodes are: the closest point of the whole line.
+//! A slide line at the positions of its nodes: the closest point of the whole line.
 
 use super::interpolation::Interpolation;
 use super::place::{ClosestPoint, Foot, Place};
@@ -12,7 +12,7 @@ use nalgebra::Vector2;
 use std::ops::RangeInclusive;
 use std::sync::Arc;
 
-/// A slide line where its nodes are, with a spatial index. Made by [`SlideLine::place`](super::SlideLine::place).
+/// A slide line at the positions of its nodes, with a spatial index. Created by [`SlideLine::place`](super::SlideLine::place).
 #[derive(Clone, Debug)]
 pub struct PlacedLine<D = f64> {
     pub(super) interpolation: Interpolation,
@@ -22,12 +22,12 @@ pub struct PlacedLine<D = f64> {
     tree: Tree,
 }
 
-/// What a line is made of.
+/// A piece of a line.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Piece {
     /// A segment, by its index.
     Segment(usize),
-    /// The corner behind a segment, smoothed over this fraction.
+    /// The corner after a segment, smoothed over this fraction.
     Corner(usize, f64),
 }
 
@@ -38,7 +38,7 @@ impl Piece {
 }
 
 impl<D: Scalar> PlacedLine<D> {
-    /// A line of at least one whole segment, as [`SlideLine`](super::SlideLine) sees to.
+    /// A line of at least one whole segment, as ensured by [`SlideLine`](super::SlideLine).
     pub(super) fn new(
         interpolation: Interpolation,
         smoothing: Option<f64>,
@@ -56,7 +56,7 @@ impl<D: Scalar> PlacedLine<D> {
         (self.nodes.len() - 1) / self.interpolation.stride()
     }
 
-    /// Segments and smoothed corners, in order along the line.
+    /// The number of segments and smoothed corners, in order along the line.
     fn pieces(&self) -> usize {
         let corners = if self.smoothing.is_some() { self.segments() - 1 } else { 0 };
         self.segments() + corners
@@ -70,7 +70,7 @@ impl<D: Scalar> PlacedLine<D> {
         }
     }
 
-    /// The indices of the nodes of a segment, or of the two that meet at the corner behind it.
+    /// The indices of the nodes of a segment, or of the two that meet at the corner after it.
     fn range(&self, piece: Piece) -> RangeInclusive<usize> {
         let (first, segments) = match piece {
             Piece::Segment(segment) => (segment, 1),
@@ -80,7 +80,7 @@ impl<D: Scalar> PlacedLine<D> {
         first * stride..=(first + segments) * stride
     }
 
-    /// The nodes of a piece that has so many.
+    /// The nodes of a piece that has N of them.
     pub(super) fn nodes_of<const N: usize>(&self, piece: Piece) -> [Vector2<D>; N] {
         let nodes = &self.nodes[self.range(piece)];
         *nodes.as_array().expect("the interpolation and the piece tell how many nodes there are")
@@ -96,7 +96,7 @@ impl<D: Scalar> PlacedLine<D> {
         }
     }
 
-    /// The part of a piece that counts: of a segment, what its smoothed corners leave of it.
+    /// The part of a piece that belongs to the line: for a segment, the part between its smoothed corners.
     pub(super) fn ends(&self, piece: Piece) -> [f64; 2] {
         let Piece::Segment(segment) = piece else { return [0.0, 1.0] };
         let end = |at_corner: bool| match self.smoothing {
@@ -106,7 +106,7 @@ impl<D: Scalar> PlacedLine<D> {
         [-end(segment > 0), end(segment + 1 < self.segments())]
     }
 
-    /// A box around the points that span a piece: the control points of its Bézier form.
+    /// A box around the control points of the Bézier form of a piece, which enclose it.
     fn bounds(&self, piece: Piece) -> OrientedBox {
         let leaves = |x: Vector2<D>| x.map(|x| x.re());
         match (self.interpolation, piece) {
@@ -133,12 +133,12 @@ impl<D: Scalar> PlacedLine<D> {
 
     /// The closest point of the whole line to a slave point in the plane (r, z).
     ///
-    /// Of places that are equally near, up to the rounding of their distances, one between the ends of its segment or
+    /// If several points are equally near, to within the rounding of their distances, one between the ends of its segment or
     /// corner comes first, then that of the smaller segment index, then that of the smaller coordinate.
     ///
     /// # Errors
-    /// A slave point that is not finite; [`Error::NoTangent`] or [`Error::FoldsBack`] where the line stands still or turns
-    /// back at the closest point; [`Error::Overflow`].
+    /// A slave point that is not finite; [`Error::NoTangent`] or [`Error::FoldsBack`] if the line's derivative vanishes or the
+    /// line folds back at the closest point; [`Error::Overflow`].
     pub fn closest(&self, xs: Vector2<D>) -> Result<ClosestPoint<D>, Error> {
         Error::check_vector("xs", xs.map(|x| x.re()))?;
         let mut nearest = Nearest::new();
@@ -146,7 +146,7 @@ impl<D: Scalar> PlacedLine<D> {
         self.settle(nearest, xs, evaluated)
     }
 
-    /// How far a farther piece may be, up to rounding, to matter still.
+    /// The distance up to which, with rounding, a farther piece still matters.
     fn offer(&self, nearest: &mut Nearest<D>, piece: usize, xs: Vector2<D>) -> f64 {
         let foot = self.foot(self.piece(piece), xs);
         let blur = self.tree.blur(piece, foot.distance);
@@ -163,7 +163,7 @@ impl<D: Scalar> PlacedLine<D> {
             (Interpolation::Linear, Piece::Corner(_, f)) => {
                 curved_foot::<_, LinearCorner, 3>(xs, self.nodes_of(piece), f, ends)
             }
-            // A segment has no fraction; its shape does not read it.
+            // A segment has no smoothing fraction; its shape ignores it.
             (Interpolation::Parabolic, Piece::Segment(_)) => {
                 curved_foot::<_, Parabola, 3>(xs, self.nodes_of(piece), 0.0, ends)
             }
@@ -213,8 +213,8 @@ impl<D: Scalar> PlacedLine<D> {
         if closest.separation.re().is_finite() { Ok(closest) } else { Err(overflow) }
     }
 
-    /// At the node where a segment begins and the one before it ends. The sign of the separation is that of the side on
-    /// which the slave point lies of both together; at the node itself the normal halves the angle.
+    /// The closest point at the node between a segment and the one before it. The sign of the separation is determined by the
+    /// side of both segments together on which the slave point lies; at the node itself the normal bisects the angle.
     fn at_vertex(&self, segment: usize, xs: Vector2<D>, evaluated: usize) -> Result<ClosestPoint<D>, Error> {
         let first = *self.range(Piece::Segment(segment)).start();
         let number = self.numbers[first];
@@ -257,11 +257,11 @@ impl<D: Scalar> PlacedLine<D> {
     }
 }
 
-/// The places that may be nearest, as far as rounding tells.
+/// The points that may be nearest, to within rounding errors.
 struct Nearest<D> {
-    /// A distance that the nearest does not exceed.
+    /// An upper bound of the distance of the nearest.
     reach: f64,
-    /// Pieces, their feet, and the least that their distances can be.
+    /// Pieces, their feet, and lower bounds of their distances.
     tied: Vec<(usize, PieceFoot<D>, f64)>,
 }
 
@@ -282,7 +282,7 @@ impl<D: Scalar> Nearest<D> {
         self.reach
     }
 
-    /// By the rule for ties; the order of the offers does not matter.
+    /// The best one by the rule for ties, whatever the order of the offers.
     fn best(self) -> Option<(usize, PieceFoot<D>)> {
         let ranked = self.tied.into_iter().min_by_key(|(piece, foot, _)| (!foot.inside, *piece));
         ranked.map(|(piece, foot, _)| (piece, foot))

@@ -1,23 +1,23 @@
 //! The spatial index of a slide line: a tree of oriented boxes.
 //!
-//! The pieces of a line are in order along it, so neighbours are close to each other and the tree needs no sorting: the
-//! box over boxes 2k and 2k+1 of one level is box k of the next. It lies along the line from one centre to the other, and
-//! so is as thin as the line is straight there: a part of length s and radius of curvature R is s²/8R thick, which is less
-//! than what the distance of a slave point grows by along that part, if that point is nearer than half of R. A search
-//! descends into the nearer box first and leaves out every box that is farther than the best place found. At such a point
-//! it looks at the few pieces beside the foot, and at boxes like the logarithm of the number of pieces; at a point from
-//! which all of the line is equally far, as the centre of an arc, all of it must be looked at.
+//! The pieces of a line are ordered along it, so neighbours are close to each other and the tree needs no sorting: the box over
+//! boxes 2k and 2k+1 of one level is box k of the next. It is aligned with the line from one centre to the other, and so it is
+//! the thinner the straighter the line is there: a part of length s and radius of curvature R is s²/8R thick, which is less than
+//! the growth of the distance from a slave point along that part, if that point is nearer than half of R. A search descends into
+//! the nearer box first and skips every box that is farther than the nearest point found. For such a slave point it examines the
+//! few pieces next to the foot, and a number of boxes proportional to the logarithm of the number of pieces; for a point equally
+//! far from all of the line, such as the centre of an arc, it must examine everything.
 
 use crate::number::scalar::norm;
 use nalgebra::Vector2;
 
-/// The rounding of a distance, as a part of the distance and of the size of what it is measured from.
+/// The rounding error of a distance, relative to the distance and to the size of the object from which it is measured.
 pub(super) const BLUR: f64 = 16.0 * f64::EPSILON;
 
-/// Shorter vectors have too few digits for a direction.
+/// Vectors shorter than this have too few digits for a direction.
 const SHORTEST: f64 = 1e-290;
 
-/// A rectangle in any direction.
+/// A rectangle of any orientation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct OrientedBox {
     center: Vector2<f64>,
@@ -34,7 +34,7 @@ impl OrientedBox {
         half: Vector2::new(f64::INFINITY, f64::INFINITY),
     };
 
-    /// Around points that are known up to rounding, along the line from the first to the last.
+    /// A box around points that are known to within rounding errors, aligned with the line from the first to the last.
     pub(super) fn around<const N: usize>(points: &[Vector2<f64>; N]) -> Self {
         Self::directed(points[N - 1] - points[0], points).unwrap_or_else(|| Self::aligned(points))
     }
@@ -44,14 +44,14 @@ impl OrientedBox {
         Self::directed(next.center - self.center, corners.as_flattened()).unwrap_or(Self::EVERYWHERE)
     }
 
-    /// Where differences of points overflow: without them, along the axes.
+    /// For points whose differences overflow: a box computed without differences, aligned with the axes.
     fn aligned(points: &[Vector2<f64>]) -> Self {
         let from = points[0] * 0.5;
         let [low, high] = points.iter().map(|x| x * 0.5).fold([from; 2], |[low, high], x| [low.inf(&x), high.sup(&x)]);
         Self { center: low + high, along: Vector2::x(), half: high - low }.with_margin()
     }
 
-    /// `None` where a number overflows.
+    /// `None` if a number overflows.
     fn directed(direction: Vector2<f64>, points: &[Vector2<f64>]) -> Option<Self> {
         let length = norm([direction.x, direction.y]);
         let along = if (SHORTEST..f64::INFINITY).contains(&length) { direction / length } else { Vector2::x() };
@@ -68,7 +68,7 @@ impl OrientedBox {
         Some(Self { center, along, half: (high - low) * 0.5 }.with_margin())
     }
 
-    /// Wider by the rounding of what it was made of.
+    /// The box widened by the rounding errors of its construction.
     fn with_margin(self) -> Self {
         let margin = (self.center.amax() + self.half.amax()) * BLUR;
         Self { half: self.half.add_scalar(margin), ..self }
@@ -80,19 +80,19 @@ impl OrientedBox {
         [-along - across, -along + across, along - across, along + across].map(|corner| self.center + corner)
     }
 
-    /// The rounding of a distance from it, as far as it comes from its size.
+    /// The part of the rounding error of a distance from it that is due to its size.
     fn blur(&self) -> f64 {
         (self.half * (2.0 * BLUR)).sum()
     }
 
-    /// No more than the distance of a point from any piece inside, even after rounding by [`BLUR`].
+    /// A lower bound of the distance of a point from any piece inside, even after rounding by [`BLUR`].
     fn bound(&self, x: Vector2<f64>) -> f64 {
         let outside = (components(x - self.center, self.along).abs() - self.half).map(|d| d.max(0.0));
         norm([outside.x, outside.y]) * (1.0 - 2.0 * BLUR) - 2.0 * self.blur()
     }
 }
 
-/// Along a direction and across it.
+/// The components along a direction and normal to it.
 fn components(x: Vector2<f64>, along: Vector2<f64>) -> Vector2<f64> {
     Vector2::new(along.dot(&x), along.perp(&x))
 }
@@ -104,7 +104,7 @@ pub(super) struct Tree {
 }
 
 impl Tree {
-    /// Over pieces in order.
+    /// Builds the tree over pieces in order.
     pub(super) fn new(pieces: Vec<OrientedBox>) -> Self {
         let mut levels = vec![pieces];
         while let Some(level) = levels.last().filter(|level| level.len() > 1) {
@@ -115,13 +115,13 @@ impl Tree {
         Self { levels }
     }
 
-    /// The rounding of a distance from a piece.
+    /// The rounding error of a distance from a piece.
     pub(super) fn blur(&self, piece: usize, distance: f64) -> f64 {
         self.levels[0][piece].blur() + distance * BLUR
     }
 
-    /// Calls `visit` for pieces, nearer ones first, and leaves out those that are surely farther than the distance that
-    /// `visit` last returned. Returns how many were visited.
+    /// Calls `visit` for pieces, nearer ones first, and skips those that are certainly farther than the distance that `visit`
+    /// last returned. Returns how many were visited.
     pub(super) fn search(&self, x: Vector2<f64>, mut visit: impl FnMut(usize) -> f64) -> usize {
         let (mut reach, mut visited) = (f64::INFINITY, 0);
         let top = self.levels.len() - 1;
@@ -176,7 +176,7 @@ mod tests {
         assert_eq!(found.half, Vector2::new(2.0 + 14.0 * BLUR, 1.0 + 14.0 * BLUR));
     }
 
-    /// A square box, and one that is turned: each corner of it reaches farther than the others somewhere.
+    /// A square box, and one that is rotated: each corner of it is the farthest in some direction.
     #[test]
     fn a_box_over_two_has_the_corners_of_both() {
         let upright = OrientedBox { center: Vector2::zeros(), along: Vector2::x(), half: Vector2::new(1.0, 1.0) };
@@ -200,7 +200,7 @@ mod tests {
         let inside = OrientedBox { center: Vector2::new(1.0, 2.0), along: Vector2::y(), half: Vector2::new(3.0, 1.0) };
         let blur = 8.0 * BLUR;
         assert_eq!(inside.blur(), blur);
-        // Along is up: 3 and 4 beyond a corner, on either side; then beside a side, and inside.
+        // The first side is upright: the points are 3 and 4 beyond a corner, on either side; then next to a side, and inside.
         for (x, y, distance) in
             [(6.0, 8.0, 5.0), (-4.0, -4.0, 5.0), (6.0, -4.0, 5.0), (1.5, 8.0, 3.0), (-4.0, 2.5, 4.0), (1.5, 2.5, 0.0)]
         {

@@ -1,4 +1,4 @@
-//! The way along a line from one closest point to another: slip.
+//! The distance along a line from one closest point to another: slip.
 
 use super::interpolation::Interpolation;
 use super::place::{ClosestPoint, Foot};
@@ -10,13 +10,15 @@ use crate::contact::slide_line::{LinearMotion, ParabolicMotion, SlipIncrementLin
 use crate::formula::Formula;
 use nalgebra::Vector2;
 
-/// Parts of a curve that turns back: between the ends of such a part Gauss's rule is right up to the rounding of a double, unless the
-/// curve bends as no element should. Of a parabola five times as high as wide the way is off by 1e-11, of one 150 times as high by 5e-6.
+/// The number of parts into which a curve is divided for each reversal of its direction: within a part Gauss's rule is accurate
+/// to the rounding of a double, unless the curve bends more than any element should. For a parabola five times as high as wide
+/// the length has an error of 1e-11, for one 150 times as high of 5e-6.
 const PARTS: f64 = 24.0;
 
 impl<D: Scalar> PlacedLine<D> {
-    /// The increment of E12 between two closest points, positive in the sequence of the nodes: the way along this line, as it is
-    /// now, from the material at the one to that at the other. `before` may be of the line as it was then.
+    /// The increment of E12 between two closest points, positive in the sequence of the nodes: the distance along this line, in
+    /// its current configuration, from the material point of the one to that of the other. `before` may belong to an earlier
+    /// configuration of the line.
     ///
     /// ```
     /// use jointproof::contact::slide_line::{Interpolation, Nodes, SlideLine};
@@ -43,13 +45,13 @@ impl<D: Scalar> PlacedLine<D> {
         })
     }
 
-    /// How many pieces a way passes.
+    /// The number of pieces on the way.
     pub(crate) fn passed(from: &Foot<D>, to: &Foot<D>) -> usize {
         from.piece.abs_diff(to.piece) + 1
     }
 
-    /// The way on a piece. On a curve it is integrated: the slip formula gives its rate, and the curve is divided where it
-    /// turns.
+    /// The distance within a piece. On a curve it is integrated: the slip formula gives its rate, and the curve is divided where
+    /// it bends.
     fn way_within(&self, piece: Piece, u0: D, u1: D) -> D {
         if (self.interpolation, piece.is_corner()) == (Interpolation::Linear, false) {
             return self.rate_of_slip(piece, u1, u1 - u0);
@@ -68,7 +70,7 @@ impl<D: Scalar> PlacedLine<D> {
         })
     }
 
-    /// The slip of a point that goes along the piece at a place by an increment of the coordinate.
+    /// The slip of a point that moves along the piece by an increment of the coordinate.
     fn rate_of_slip(&self, piece: Piece, u: D, by: D) -> D {
         let (dxs, zero) = (self.rate(piece, u) * by, Vector2::from_element(D::zero()));
         match (self.interpolation, piece.is_corner()) {
@@ -81,7 +83,7 @@ impl<D: Scalar> PlacedLine<D> {
                 let motion = ParabolicMotion { x1, x2, x3, g: u, dxs, dx1: zero, dx2: zero, dx3: zero };
                 SlipIncrementParabolic::eval(&motion).dslip
             }
-            // Along its own tangent.
+            // The motion is along the curve's own tangent.
             (_, true) => length(dxs) * if by < 0.0 { -1.0 } else { 1.0 },
         }
     }
@@ -105,14 +107,14 @@ impl<D: Scalar> PlacedLine<D> {
     }
 }
 
-/// How much a curve changes between two of its derivatives: 0 on a straight line that is not stretched, 1 where it turns back.
+/// A measure of the change between two derivatives of a curve: 0 on a straight line with uniform speed, 1 where it reverses.
 fn turn<D: Scalar>(first: Vector2<D>, last: Vector2<D>) -> f64 {
     let [first, last] = [first, last].map(|rate| rate.map(|x| x.re()));
     let size = length(first) + length(last);
     if size > 0.0 { length(last - first) / size } else { 0.0 }
 }
 
-/// Places from −1 to 1 and weights of Gauss's rule of five points.
+/// Points from −1 to 1 and weights of the five-point Gauss rule.
 pub(crate) fn gauss<D: Scalar>() -> [[D; 2]; 5] {
     let root = |x: D| x.sqrt();
     let (by_places, by_weights) = (root(D::from(10.0) / 7.0) * 2.0, root(D::from(70.0)) * 13.0);
@@ -129,7 +131,7 @@ mod tests {
     #[test]
     fn the_rate_of_slip_has_the_sign_of_the_step_and_is_the_length_of_the_rate_times_it() {
         let places = [[0.0, 0.0], [3.0, 4.0], [6.0, 8.0], [9.0, 12.0], [12.0, 16.0]];
-        // In line, 5 from node to node: X′ is half a segment, twice a quarter of one at a corner, and so on.
+        // Collinear nodes with a spacing of 5: X′ is half a segment, twice a quarter of one at a corner, and so on.
         for (kind, smoothing, piece, u, rate) in [
             (Interpolation::Linear, None, 0, 0.25, 2.5),
             (Interpolation::Linear, Some(0.25), 1, 0.25, 2.5),
@@ -145,7 +147,8 @@ mod tests {
         }
     }
 
-    /// ∫ √(1 + (2hg)²) dg, which is elementary. Where the curve turns in a twentieth of its width, ten digits are right.
+    /// The exact length is ∫ √(1 + (2hg)²) dg, which is elementary. If the curve bends within a twentieth of its width, ten
+    /// digits are correct.
     #[test]
     fn the_way_along_a_parabola_is_its_length_however_bent() {
         for (height, error) in [(0.0, 1e-14), (0.5, 1e-14), (1.0, 1e-14), (10.0, 1e-10)] {

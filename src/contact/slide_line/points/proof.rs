@@ -1,4 +1,4 @@
-//! Evidence for the formulas next door: cases, laws.
+//! Evidence for the formulas of the parent module: cases, laws.
 
 use super::{CurvePoint, LinearPlace, LinearPoint, ParabolicPlace, ParabolicPoint};
 use crate::Octuple;
@@ -70,7 +70,7 @@ impl Proved for ParabolicPoint {
     }
 }
 
-/// Parabolas that are hard: almost straight, with the midside node at the quarter point, far away, tiny and huge.
+/// Hard parabolas: almost straight, with the midside node at the quarter point, far away, tiny and huge.
 pub(crate) fn parabolas() -> Vec<Hard<[Vector2<f64>; 3]>> {
     let straight = "almost straight: the second difference of the nodes is small";
     let base = [Vector2::new(0.0, 0.0), Vector2::new(0.375, 0.875), Vector2::new(1.25, 1.5)];
@@ -102,12 +102,12 @@ pub(crate) fn quarter_point() -> [Vector2<f64>; 3] {
     [Vector2::new(1.0, 2.0), Vector2::new(2.0, 4.0), Vector2::new(5.0, 10.0)]
 }
 
-/// The same point, and the opposite derivative.
+/// The points are equal, and the derivatives opposite.
 pub(crate) fn reversed(here: &CurvePoint<Octuple>, back: &CurvePoint<Octuple>) -> Vec<crate::formula::proof::Equation> {
     law::equal_all([(here.x.x, back.x.x), (here.x.y, back.x.y), (here.dx.x, -back.dx.x), (here.dx.y, -back.dx.y)])
 }
 
-/// The same point and derivative, of terms up to `size`.
+/// Points and derivatives are equal, with terms up to `size`.
 pub(crate) fn same(
     a: &CurvePoint<Octuple>,
     b: &CurvePoint<Octuple>,

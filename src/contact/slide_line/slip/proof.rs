@@ -1,4 +1,4 @@
-//! Evidence for the formulas next door: cases, laws.
+//! Evidence for the formulas of the parent module: cases, laws.
 
 use super::{LinearMotion, ParabolicMotion, SlipIncrementLinear, SlipIncrementParabolic};
 use crate::Octuple;

@@ -1,4 +1,4 @@
-//! Evidence for the formulas next door: cases, kinks, laws.
+//! Evidence for the formulas of the parent module: cases, kinks, laws.
 
 use super::{LinearPressures, ParabolicPressures, TorqueLinear, TorqueParabolic};
 use crate::contact::slide_line::points::proof::parabolas;
@@ -90,7 +90,7 @@ impl Proved for TorqueParabolic {
             Case::hard("coincident", "all nodes at one place", on([[1.5, 1.0]; 3], [1.0, 2.0, 3.0])),
         ];
         cases.extend(parabolas().into_iter().map(|p| {
-            // Moved right of the axis, and to sizes whose third power is a double.
+            // Shifted to the right of the axis, and scaled to sizes whose third power does not over- or underflow.
             let factor = match p.id {
                 "tiny" => 1e100,
                 "huge" => 1e-100,

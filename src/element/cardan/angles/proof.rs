@@ -1,4 +1,4 @@
-//! Evidence for the formula next door: cases, kinks, laws, other ways to compute it.
+//! Evidence for the formula of the parent module: cases, kinks, laws, other methods.
 
 use super::{Angles, CardanAngles};
 use crate::Octuple;
@@ -120,8 +120,8 @@ impl Proved for CardanAngles {
     }
 }
 
-/// As the document words it: without care for what a scalar product loses near ±1, and with the quotient rule for the derivative
-/// of the arc tangent, which fails at right angles.
+/// The equations as documented: without regard to the digits that a scalar product loses near ±1, and with the quotient rule for
+/// the derivative of the arc tangent, which fails at right angles.
 fn unguarded<D: Scalar>(i: &Triads<D>) -> Angles<D> {
     Angles {
         alpha: -i.e2a.dot(&i.e3b).atan2(i.e3a.dot(&i.e3b)),

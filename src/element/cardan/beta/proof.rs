@@ -1,4 +1,4 @@
-//! Evidence for the formula next door: cases, kinks, laws, other ways to compute it.
+//! Evidence for the formula of the parent module: cases, kinks, laws, other methods.
 
 use super::{Beta, BetaAxes, BetaTwoArgument};
 use crate::Octuple;
@@ -81,7 +81,7 @@ impl Proved for BetaTwoArgument {
     }
 }
 
-/// The documented form, equal on orthonormal triads only, and these are orthonormal to rounding only.
+/// The documented form, which is equal on orthonormal triads only; these are orthonormal only to within rounding errors.
 fn arc_sine<D: Scalar>(i: &BetaAxes<D>) -> Beta<D> {
     Beta { beta: i.e1a.dot(&i.e3b).asin() }
 }

@@ -121,7 +121,11 @@ fn room(source: &Path, family: &str) -> anyhow::Result<Option<PathBuf>> {
 fn catalog(source: &Path) -> anyhow::Result<PathBuf> {
     let candidates = ["catalog/list.rs", "catalog.rs", "lib.rs", "main.rs"].map(|name| source.join(name));
     let has_catalog = |path: &&PathBuf| read(path).is_ok_and(|text| text.contains("static CATALOG"));
-    candidates.iter().find(has_catalog).cloned().context("no `static CATALOG` in src/catalog/list.rs, catalog.rs, lib.rs or main.rs")
+    candidates
+        .iter()
+        .find(has_catalog)
+        .cloned()
+        .context("no `static CATALOG` in src/catalog/list.rs, catalog.rs, lib.rs or main.rs")
 }
 
 /// The last entry in the chapter that contains most of the family, after which the new one belongs.

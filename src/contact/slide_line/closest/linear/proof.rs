@@ -1,4 +1,4 @@
-//! Evidence for the formula next door: cases, kinks, laws.
+//! Evidence for the formula of the parent module: cases, kinks, laws.
 
 use super::{ClosestLinear, LinearSlave};
 use crate::Octuple;

@@ -1,4 +1,4 @@
-//! Evidence for the formula next door: cases, kinks, laws.
+//! Evidence for the formula of the parent module: cases, kinks, laws.
 
 use super::{ClosestParabolic, ParabolicSlave};
 use crate::Octuple;
@@ -163,7 +163,7 @@ impl Proved for ClosestParabolic {
     }
 }
 
-/// A slave point beside the parabola z = (r − 2)² from (1, 1) to (3, 1), at r = g + 2.
+/// A slave point close to the parabola z = (r − 2)² from (1, 1) to (3, 1), at r = g + 2.
 fn in_bowl(r: f64, z: f64) -> ParabolicSlave<f64> {
     let [x1, x2, x3] = arch(-1.0).map(|x| x + Vector2::new(0.0, 1.0));
     ParabolicSlave { xs: Vector2::new(r, z), x1, x2, x3 }

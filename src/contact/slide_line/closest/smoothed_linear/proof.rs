@@ -1,4 +1,4 @@
-//! Evidence for the formula next door: cases, kinks, laws.
+//! Evidence for the formula of the parent module: cases, kinks, laws.
 
 use super::{ClosestSmoothedLinear, LinearCornerSlave};
 use crate::Octuple;
@@ -102,9 +102,9 @@ impl Proved for ClosestSmoothedLinear {
     }
 }
 
-/// A slave point at (r, z) from the corner (3, 1) of the line (1, 3), (3, 1), (5, 3).
+/// A slave point at (r, z) relative to the corner (3, 1) of the line (1, 3), (3, 1), (5, 3).
 ///
-/// Seen from there the smoothed corner is z = r² + 1/4, with r = t − 1/2.
+/// In these coordinates the smoothed corner is z = r² + 1/4, with r = t − 1/2.
 fn at_corner(r: f64, z: f64) -> LinearCornerSlave<f64> {
     LinearCornerSlave {
         xs: Vector2::new(3.0 + r, 1.0 + z),

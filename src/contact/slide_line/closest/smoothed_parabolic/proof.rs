@@ -1,4 +1,4 @@
-//! Evidence for the formula next door: cases, kinks, laws.
+//! Evidence for the formula of the parent module: cases, kinks, laws.
 
 use super::{ClosestSmoothedParabolic, ParabolicCornerSlave};
 use crate::Octuple;
@@ -113,9 +113,9 @@ impl Proved for ClosestSmoothedParabolic {
     }
 }
 
-/// A slave point at (r, z) from the corner (3, 1) between straight segments of unit height and width.
+/// A slave point at (r, z) relative to the corner (3, 1) between straight segments of unit height and width.
 ///
-/// Seen from there the smoothed corner is z = r² + 1/4, with r = t − 1/2.
+/// In these coordinates the smoothed corner is z = r² + 1/4, with r = t − 1/2.
 fn at_corner(r: f64, z: f64) -> ParabolicCornerSlave<f64> {
     let at = |r: f64, z: f64| Vector2::new(3.0 + r, 1.0 + z);
     let [x1, x2, x3, x4, x5] = [-2.0_f64, -1.0, 0.0, 1.0, 2.0].map(|r| at(r, r.abs()));

@@ -1,4 +1,4 @@
-//! Evidence for the formulas next door: cases, laws.
+//! Evidence for the formulas of the parent module: cases, laws.
 
 use super::{Linear, LinearForces, LinearLoads, Parabolic, ParabolicForces, ParabolicLoads};
 use crate::Octuple;
@@ -37,7 +37,7 @@ impl ParabolicLoads<Octuple> {
     }
 }
 
-/// The slave point and the nodes are in equilibrium, but for the shear, which acts at the separation from the segment.
+/// The slave point and the nodes are in equilibrium, except for the moment of the shear, whose lever is the separation.
 fn balance<const N: usize>(
     forces: [Vector; N],
     places: [Vector; N],
@@ -51,7 +51,7 @@ fn balance<const N: usize>(
     [law::vanish([sum.x, sum.y], force), levers].concat()
 }
 
-/// A times S11 of a row of the separation, less A times S12 of one of the slip.
+/// A S11 times the row of the separation minus A S12 times that of the slip.
 fn worked<const N: usize>(e11: [Vector; N], e12: [Vector; N], [area, s11, s12]: [Octuple; 3]) -> [Vector; N] {
     std::array::from_fn(|k| (e11[k] * s11 - e12[k] * s12) * area)
 }

@@ -1,4 +1,4 @@
-//! Straight and parabolic segments, and the elements that slide on them: the formulas of each.
+//! Straight and parabolic segments, and the elements that slide on them, each with its formulas.
 
 use crate::contact::slide_line::element::chain::{Term, chain, through};
 use crate::contact::slide_line::element::forces;
@@ -22,11 +22,11 @@ pub(super) struct Touched<D, const K: usize> {
     pub(super) inside: bool,
 }
 
-/// A segment of N nodes, and an element of as many.
+/// A segment of N nodes, and an element with the same number of nodes.
 pub(super) trait Shape<const N: usize> {
     /// The closest point to a slave node.
     fn foot<D: Scalar, const K: usize>(xs: Point<D, K>, segment: &[Point<D, K>; N]) -> Touched<D, K>;
-    /// The way along the segment, as it is now, from a place to the closest point of the slave node.
+    /// The distance along the segment in its current configuration, from a point to the closest point of the slave node.
     fn way<D: Scalar, const K: usize>(
         xs: Point<D, K>,
         segment: &[Point<D, K>; N],
@@ -43,7 +43,7 @@ pub(super) trait Shape<const N: usize> {
     fn areas<D: Scalar, const K: usize>(nodes: &[Point<D, K>; N]) -> [Term<D, K>; N];
     /// The torque of an element from the pressures at its nodes.
     fn torque<D: Scalar, const K: usize>(nodes: &[Point<D, K>; N], pressures: &[Term<D, K>; N]) -> Term<D, K>;
-    /// Whether the places are valid.
+    /// Checks the positions.
     fn check(nodes: &[Vector2<f64>; N], slave: usize, segment: &[Vector2<f64>; N]) -> Result<(), Error>;
 }
 
@@ -58,7 +58,7 @@ impl Shape<2> for Straight {
         Touched { g: foot.g, separation: foot.separation, inside }
     }
 
-    /// Positions in place of displacements: the place before, as it is now, is where they begin.
+    /// Uses positions in place of displacements: they are measured from the current position of the previous point.
     fn way<D: Scalar, const K: usize>(
         xs: Point<D, K>,
         &[x1, x2]: &[Point<D, K>; 2],
@@ -94,8 +94,8 @@ impl Shape<2> for Straight {
     }
 }
 
-/// Whether the line from a place to the slave node is normal to the segment. The search stops at the ends of a segment: a slave
-/// node above an end is there as well as one past it.
+/// Whether the line from a point to the slave node is normal to the segment. The search stops at the ends of a segment, both for
+/// a slave node exactly above an end and for one past it.
 fn is_upright<D: Scalar, const K: usize>(xs: Point<D, K>, place: &ParabolicPlace<Term<D, K>>) -> bool {
     let CurvePoint { x, dx } = chain::<ParabolicPoint, _, K>(place);
     let [along_r, along_z] = [0, 1].map(|axis| (xs[axis] + -x[axis]) * dx[axis]);
@@ -114,7 +114,7 @@ impl Shape<3> for Curved {
         Touched { g: foot.g, separation: foot.separation, inside }
     }
 
-    /// By one rule of Gauss and Legendre, as [`isl`](crate::contact::isl) has it where the segment turns little between the two places.
+    /// A single Gauss–Legendre rule, as in [`isl`](crate::contact::isl) if the segment bends little between the two points.
     fn way<D: Scalar, const K: usize>(
         _: Point<D, K>,
         &[x1, x2, x3]: &[Point<D, K>; 3],

@@ -1,5 +1,5 @@
-//! The stiffness is the derivative of the forces by automatic differentiation in 237 bits, in stick, in slip and open; and forces and
-//! states are those of `isl`.
+//! The stiffness equals the derivative of the forces by automatic differentiation in 237 bits, in stick, in slip and open; and
+//! forces and states equal those of `isl`.
 
 use super::{Isl21a, Isl22a, LineContact, OnLine, Pressed, PressureLaw, SlaveState};
 use crate::contact::isl::{Contact, ElementSet, Increment, Interaction, IslElement};
@@ -17,24 +17,24 @@ fn at(r: f64, z: f64) -> Vector2<f64> {
     Vector2::new(r, z)
 }
 
-/// A ring of two nodes that presses on two inclined segments, an open third place is `height` away.
+/// A ring of two nodes that presses on two inclined segments, raised by `height`.
 fn ring(height: f64) -> OnLine<f64, 2> {
     let nodes = [at(2.0, 0.25 + height), at(3.5, 0.75 + height)];
     OnLine { nodes, segments: [[at(1.0, 0.0), at(3.0, 1.0)], [at(3.0, 1.0), at(5.0, 1.25)]] }
 }
 
-/// A ring of three nodes that presses on one arch.
+/// A ring of three nodes that presses on one arch, raised by `height`.
 fn arched(height: f64) -> OnLine<f64, 3> {
     let nodes = [at(1.5, 0.25 + height), at(2.25, 0.75 + height), at(3.0, 0.5 + height)];
     OnLine { nodes, segments: [[at(1.0, 0.0), at(2.25, 1.0), at(4.0, 0.5)]; 3] }
 }
 
-/// Where nothing has been transmitted yet.
+/// The state before the motion.
 fn before<const N: usize>() -> [SlaveState<f64>; N] {
     [SlaveState { g: 0.25, s12: 0.125 }; N]
 }
 
-/// Places in other numbers.
+/// The positions converted to another type of number.
 fn places<A: nalgebra::Scalar + Copy, B, const N: usize>(x: &OnLine<A, N>, of: impl Fn(usize, A) -> B) -> OnLine<B, N> {
     let point = |x: &Vector2<A>, node: usize| Vector2::new(of(2 * node, x.x), of(2 * node + 1, x.y));
     let nodes = std::array::from_fn(|k| point(&x.nodes[k], k));
@@ -119,7 +119,7 @@ fn numbered<const N: usize>(places: &OnLine<f64, N>) -> Nodes<f64> {
     Nodes::new(slaves.chain(masters).map(|(k, x)| (number(k), [x.x, x.y]))).unwrap()
 }
 
-/// Two increments by `isl` and by the element over one segment: forces, pressures, shear stresses and torque agree.
+/// Two increments by `isl` and by the element on one segment: forces, pressures, shear stresses and torque agree.
 fn agrees<const N: usize, const K: usize>(
     [line, element]: [Interpolation; 2],
     isl: IslElement,

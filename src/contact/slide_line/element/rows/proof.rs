@@ -1,4 +1,4 @@
-//! Evidence for the formulas next door: cases, laws.
+//! Evidence for the formulas of the parent module: cases, laws.
 
 use super::{Linear, LinearRows, Parabolic, ParabolicRows};
 use crate::Octuple;
@@ -14,14 +14,14 @@ use num_traits::{One, Zero};
 
 type Vector = Vector2<Octuple>;
 
-/// Places on straight segments, as of their points.
+/// The cases of points on straight segments.
 pub(in crate::contact::slide_line::element) fn straight_places() -> Vec<Case<LinearPlace<f64>>> {
     let mut cases = LinearPoint::cases();
     cases.retain(|case| case.inputs.x1 != case.inputs.x2);
     cases
 }
 
-/// Places on parabolas that have a tangent there, as of their points.
+/// The cases of points on parabolas that have a tangent there.
 pub(in crate::contact::slide_line::element) fn curved_places() -> Vec<Case<ParabolicPlace<f64>>> {
     let mut cases = ParabolicPoint::cases();
     cases.retain(|Case { inputs: i, .. }| check_tangent([i.x1, i.x2, i.x3], i.g).is_ok());
@@ -31,13 +31,13 @@ pub(in crate::contact::slide_line::element) fn curved_places() -> Vec<Case<Parab
     cases
 }
 
-/// A place on a segment of no length.
+/// A point on a segment of zero length.
 pub(in crate::contact::slide_line::element) fn no_segment() -> Case<LinearPlace<f64>> {
     let x = Vector2::new(1.0, 2.0);
     Case::invalid("coincident", "both nodes at one place", LinearPlace { x1: x, x2: x, g: 0.0 })
 }
 
-/// Places on parabolas without a tangent.
+/// Points on parabolas without a tangent there.
 pub(in crate::contact::slide_line::element) fn no_parabola() -> [Case<ParabolicPlace<f64>>; 2] {
     let [x1, x2, x3] = [[1.0, 2.0], [2.0, 4.0], [5.0, 10.0]].map(Vector2::from);
     [
@@ -46,7 +46,7 @@ pub(in crate::contact::slide_line::element) fn no_parabola() -> [Case<ParabolicP
     ]
 }
 
-/// Vectors are equal, with the size of their terms.
+/// The vectors are equal, relative to the size of their terms.
 pub(in crate::contact::slide_line::element) fn equal_vectors<const N: usize>(
     left: [Vector; N],
     right: [Vector; N],
@@ -56,7 +56,7 @@ pub(in crate::contact::slide_line::element) fn equal_vectors<const N: usize>(
     pairs.flat_map(|(l, r)| law::equal_all_with(l.iter().copied().zip(r.iter().copied()), size)).collect()
 }
 
-/// The work of a row in a turn of all its nodes about the origin.
+/// The work of a row in a rotation of all its nodes about the origin.
 fn turning<const N: usize>(rows: [Vector; N], places: [Vector; N]) -> Octuple {
     rows.iter().zip(places).fold(Octuple::zero(), |sum, (row, x)| sum + row.dot(&left(x)))
 }
@@ -69,7 +69,7 @@ fn size<const N: usize>(places: [Vector; N]) -> Octuple {
     places.iter().fold(Octuple::one(), |size, x| size + norm([x.x, x.y]))
 }
 
-/// What holds on any segment, of the rows of the slave point and of the nodes.
+/// The laws of the rows of the slave point and of the nodes on any segment.
 fn rigid<const N: usize>(e11: [Vector; N], e12: [Vector; N], places: [Vector; N]) -> Vec<Equation> {
     let none = equal_vectors([sum(e11), sum(e12)], [Vector::zeros(); 2], Octuple::one());
     [none, law::vanish([turning(e11, places), turning(e12, places)], size(places))].concat()
@@ -128,7 +128,7 @@ impl Proved for Parabolic {
                 let motion = ParabolicMotion { x1, x2, x3, g, dxs: none, dx1: none, dx2: none, dx3: none };
                 let slip = SlipIncrementParabolic::jacobian(&motion).dslip;
                 let of_e11 = [rows.e11_us, rows.e11_u1, rows.e11_u2, rows.e11_u3];
-                // Where the curve hardly goes on, the place of a point on it is not told as well as the point.
+                // Where the curve's derivative is small, the coordinate of a point on it is less accurate than the point itself.
                 let blur = size([x1, x2, x3]) * size([x1, x2, x3]) / point.dx.dot(&point.dx);
                 [
                     equal_vectors(of_e11, [by.xs, by.x1, by.x2, by.x3], blur),

@@ -1,4 +1,4 @@
-//! Evidence for the formulas next door: cases, laws.
+//! Evidence for the formulas of the parent module: cases, laws.
 
 use super::super::Spot;
 use super::{Linear, LinearTouch, Parabolic, ParabolicTouch};
@@ -27,7 +27,7 @@ fn straight(case: Case<LinearPlace<f64>>) -> Case<LinearTouch<f64>> {
     Case::new(case.flag, case.id, case.comment, LinearTouch { x1, x2, g, separation: -0.125, lambda: 5.0 })
 }
 
-/// Turned away from the axes and five times as large, with a separation that the curvature allows.
+/// The same rotated away from the axes and five times as large, with a separation that the curvature allows.
 fn curved(case: Case<ParabolicPlace<f64>>) -> Case<ParabolicTouch<f64>> {
     let ParabolicPlace { x1, x2, x3, g } = case.inputs;
     let [x1, x2, x3] = [x1, x2, x3].map(|x| x * 4.0 + left(x) * 3.0);
@@ -35,7 +35,7 @@ fn curved(case: Case<ParabolicPlace<f64>>) -> Case<ParabolicTouch<f64>> {
     Case::new(case.flag, case.id, case.comment, touch)
 }
 
-/// The k-th degree of freedom moves, of the slave point and the nodes in a row.
+/// The slave point and the nodes in order, with a unit motion of the k-th degree of freedom.
 fn moved<const N: usize>(places: [Vector; N], k: usize) -> [Vector2<Moving>; N] {
     let change = |at: usize| if at == k { Octuple::one() } else { Octuple::zero() };
     std::array::from_fn(|node| Vector2::from_fn(|axis, _| Dual::new(places[node][axis], change(2 * node + axis))))
@@ -45,7 +45,7 @@ fn still(x: Octuple) -> Moving {
     Dual::from_re(x)
 }
 
-/// The size of the largest entry, for a force of this size.
+/// The size of the largest entry.
 fn size<const M: usize>(matrix: &SMatrix<Octuple, M, M>) -> Octuple {
     matrix.iter().fold(Octuple::zero(), |size, &entry| if abs(entry) > size { abs(entry) } else { size })
 }
@@ -58,7 +58,7 @@ fn equal<const M: usize>(
     law::equal_all_with(left.iter().copied().zip(right.iter().copied()), term)
 }
 
-/// What a rigid motion does: a translation nothing, a turn turns the forces.
+/// The effect of a rigid motion: a translation changes nothing, a rotation rotates the forces.
 fn follows<const M: usize, const N: usize>(
     k: &SMatrix<Octuple, M, M>,
     places: [Vector; N],
@@ -86,7 +86,7 @@ impl LinearTouch<Octuple> {
         LinearPlace { x1: self.x1, x2: self.x2, g: self.g }
     }
 
-    /// The slave point and the nodes.
+    /// The positions of the slave point and the nodes.
     fn places(&self) -> [Vector; 3] {
         let n = rows::Linear::eval(&self.place()).e11_us;
         [LinearPoint::eval(&self.place()).x + n * self.separation, self.x1, self.x2]
@@ -149,7 +149,8 @@ impl ParabolicTouch<Octuple> {
         [ParabolicPoint::eval(&self.place()).x + n * self.separation, self.x1, self.x2, self.x3]
     }
 
-    /// So near to the segment, and so far from its ends, that the place is the closest one of any curve that is drawn here.
+    /// The same, close enough to the segment and far enough from its ends that the point is the closest one on every curve drawn
+    /// here.
     fn near(&self) -> Self {
         let g = self.g * (15.0 / 16.0);
         let nodes = [self.x1, self.x2, self.x3];
@@ -161,7 +162,8 @@ impl ParabolicTouch<Octuple> {
 
 impl Proved for Parabolic {
     fn cases() -> Vec<Case<ParabolicTouch<f64>>> {
-        // Squares of these lengths are numbers; and on what is quite straight entries are 0 that have no size to be compared by.
+        // Squares of these lengths do not over- or underflow; and on exactly straight segments some entries are 0, without a size
+        // for comparison.
         let counts = |case: &Case<ParabolicPlace<f64>>| {
             (1e-100..1e100).contains(&case.inputs.x3.amax()) && case.id != "straight"
         };

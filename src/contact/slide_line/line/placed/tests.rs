@@ -3,7 +3,7 @@ use crate::contact::slide_line::{Nodes, SlideLine};
 use proptest::prelude::*;
 
 impl<D: Scalar> PlacedLine<D> {
-    /// Without the index, in reverse.
+    /// The closest point without the index, in reverse order.
     fn closest_of_all(&self, xs: Vector2<D>) -> Result<ClosestPoint<D>, Error> {
         Error::check_vector("xs", xs.map(|x| x.re()))?;
         let mut nearest = Nearest::new();
@@ -48,15 +48,15 @@ proptest! {
         }
     }
 
-    /// Segments much shorter than the slave point is far, where nearly all of the index is left out; and at the centre,
-    /// where nothing may be.
+    /// Segments much shorter than the distance of the slave point, where nearly all of the index is skipped; and a slave point at
+    /// the centre, where nothing may be skipped.
     #[test]
     fn the_index_changes_nothing_on_a_fine_arc(
         segments in 50_usize..300,
         parabolic: bool,
         smoothing in smoothing(),
         turn in 0.1_f64..3.0,
-        // Each is offered to hundreds of pieces.
+        // Each slave point is compared with hundreds of pieces.
         slaves in proptest::collection::vec((0.0_f64..1.2, prop_oneof![0.0_f64..2.0, Just(0.0), Just(1.0)]), 3),
     ) {
         let kind = if parabolic { Interpolation::Parabolic } else { Interpolation::Linear };
@@ -89,7 +89,7 @@ fn of_places_that_are_equally_near_all_are_kept() {
     assert_eq!(nearest.best().map(|(piece, _)| piece), Some(0));
 }
 
-/// The line through nodes at these places, perhaps smoothed.
+/// The line through nodes at these positions, smoothed if requested.
 pub(in crate::contact::slide_line::line) fn placed(
     kind: Interpolation,
     smoothing: Option<f64>,
@@ -104,7 +104,7 @@ pub(in crate::contact::slide_line::line) fn placed(
     line.place(&nodes).unwrap()
 }
 
-/// By the control points as they are worked out by hand; all numbers are exact.
+/// Control points calculated by hand; all numbers are exact.
 #[test]
 fn a_box_is_around_the_control_points_of_its_piece() {
     let points = [[0.0, 0.0], [16.0, 8.0], [32.0, 0.0], [48.0, -8.0], [64.0, 32.0]];
@@ -146,7 +146,7 @@ fn at_a_node_the_side_is_that_of_both_segments() {
         assert_eq!(closest.foot, Foot { piece: 1, u: -1.0, beyond: 0.0 });
         assert_eq!(closest.weights.as_slice(), [(2, 1.0)]);
     }
-    // Back along the same way the outside is the right-hand side, and no component of the normals is positive.
+    // In the reverse direction the outside is the right-hand side, and no component of the normals is positive.
     let closest = at(&[[4.0, 0.0], [2.0, 2.0], [0.0, 2.0]], [2.15, 2.2]);
     assert_eq!(closest.place, Place::Node { number: 2 });
     close(closest.separation, -0.25);
@@ -154,7 +154,7 @@ fn at_a_node_the_side_is_that_of_both_segments() {
     close(closest.normal.y, -0.8);
 }
 
-/// The second parabola has its midside node at the quarter point: it stands still where it begins.
+/// The second parabola has its midside node at the quarter point, so that its derivative vanishes at its start.
 #[test]
 fn where_the_next_segment_stands_still_a_node_has_no_normal() {
     let places = [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [2.0, 1.0], [2.0, 4.0]];
