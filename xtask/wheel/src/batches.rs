@@ -1,8 +1,7 @@
 //! The batches of every formula, compiled with this crate: optimised for speed, whereas the evidence is optimised for size.
 
-use jointproof::connector::{align, cardan, join, slider, slot, translator, ujoint, universal};
-use jointproof::contact::{coulomb, interaction, slide_line};
-use jointproof::element;
+#[expect(clippy::wildcard_imports, reason = "the table, which the build script writes, names any of them")]
+use jointproof::{connector::*, contact::*, element, element::cardan};
 use jointproof::formula::Formula;
 use jointproof::toolkit::batch::{self, ArrayView1, ArrayViewMut1};
 
