@@ -2,7 +2,9 @@
 //! evidence. Their building blocks are in [`element`](crate::element).
 
 pub mod align;
+pub mod hinge;
 pub mod join;
+pub mod revolute;
 pub mod slider;
 pub mod slot;
 pub mod translator;

@@ -3,7 +3,7 @@
 use super::{AnyElement, AnyFormula, Erased};
 use crate::connector::slider::{SliderElement, SliderElement2d};
 use crate::connector::slot::{SlotElement, SlotElement2d};
-use crate::connector::{align, join, slider, slot, translator, ujoint, universal};
+use crate::connector::{align, hinge, join, revolute, slider, slot, translator, ujoint, universal};
 use crate::contact::{coulomb, interaction, slide_line};
 use crate::element::{self, cardan};
 
@@ -57,6 +57,16 @@ pub static CATALOG: &[&dyn AnyFormula] = &[
     &ujoint::NormalMoments,
     &ujoint::Friction,
     &ujoint::Stop,
+    // REVOLUTE, HINGE
+    &revolute::Constraint,
+    &revolute::Angle,
+    &revolute::RelativeMotion,
+    &revolute::ConstraintMoment,
+    &revolute::KineticMoment,
+    &hinge::Constraint,
+    &hinge::Stop,
+    &hinge::ContactMoment,
+    &hinge::Friction,
     // Elements
     &slot::plane::Rows,
     &slot::plane::Forces,
@@ -129,6 +139,7 @@ pub static ELEMENTS: &[&dyn AnyElement] = &[
     &Erased::<join::JoinElement, 3, 12>(join::JoinElement),
     &Erased::<universal::UniversalElement, 1, 12>(universal::UniversalElement),
     &Erased::<ujoint::UJointElement, 4, 12>(ujoint::UJointElement),
+    &Erased::<hinge::HingeElement, 5, 12>(hinge::HingeElement),
     &Erased::<SliderElement, 2, 9>(SliderElement),
     &Erased::<SliderElement2d, 1, 6>(SliderElement2d),
 ];

@@ -100,13 +100,13 @@ impl<D: Scalar> JoinStiffness<D> {
 }
 
 impl<D: Scalar> UniversalStiffness<D> {
-    /// Assembles all blocks into the matrix `all`.
+    /// Adds all blocks to the matrix `all`.
     pub(crate) fn add_to(&self, all: &mut Stiffness<D>) {
         let across = self.k_ta_tb;
-        let mut own = all.fixed_view_mut::<3, 3>(3 * TA, 3 * TA);
-        own += self.k_ta_ta;
-        for (row, column, block) in [(TA, TB, across), (TB, TA, across.transpose()), (TB, TB, self.k_tb_tb)] {
-            all.fixed_view_mut::<3, 3>(3 * row, 3 * column).copy_from(&block);
+        let blocks = [(TA, TA, self.k_ta_ta), (TA, TB, across), (TB, TA, across.transpose()), (TB, TB, self.k_tb_tb)];
+        for (row, column, block) in blocks {
+            let mut own = all.fixed_view_mut::<3, 3>(3 * row, 3 * column);
+            own += block;
         }
     }
 

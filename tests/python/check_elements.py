@@ -214,6 +214,26 @@ class UJoint(Element):
         return [m1, m3], dict(ur1=ur1, ur3=ur3, m1=m1, m3=m3)
 
 
+class Hinge(Element):
+    residuals = "hinge.constraint"
+
+    def motions(self, nodes: Values) -> list:
+        alpha = call("revolute.angle", self.given | nodes)["alpha"]
+        return [nearest(alpha - self.given["alpha0"], self.given["ur1"])]
+
+    def friction(self, nodes: Values, multipliers: list) -> tuple[list, Values]:
+        """The documented moments are the components of what the multipliers of REVOLUTE do on b."""
+        f1, f2, f3, lambda2, lambda3 = multipliers
+        e1a, (ur1,) = nodes["e1a"], self.motions(nodes)
+        on_b = [
+            lambda2 * x + lambda3 * y for x, y in zip(cross(nodes["e2b"], e1a), cross(nodes["e3b"], e1a), strict=True)
+        ]
+        loads = dict(f1=f1, f2=f2, f3=f3, m1=mpf(0), m2=dot(nodes["e2a"], on_b), m3=dot(nodes["e3a"], on_b))
+        normal = call("hinge.friction", self.given | loads)["mn"]
+        m1 = slid(ur1 - self.given["ur1"], self.given["m1"], self.given["k_stick"], self.given["mu"], normal)
+        return [m1], dict(ur1=ur1, m1=m1)
+
+
 class Slider(Element):
     residuals = "slider.constraint"
 
@@ -238,6 +258,7 @@ ELEMENTS: dict[str, type[Element]] = dict(
     join=Join,
     universal=Universal,
     ujoint=UJoint,
+    hinge=Hinge,
     slider=Slider,
     slider_2d=Slider2d,
 )

@@ -6,6 +6,7 @@
 
 mod check;
 mod dimension;
+mod hinge;
 mod isl;
 mod parts;
 mod shared;
@@ -19,6 +20,7 @@ pub use dimension::Dimension;
 pub use table::{Fallback, Kind, Origin, Use, When};
 
 use self::check::check;
+use self::hinge::{HINGE, REVOLUTE};
 use self::isl::{ISL21A, ISL22A};
 use self::parts::{ALIGN, JOIN, UNIVERSAL};
 use self::slider::{SLIDER, SLIDER_2D, SLIDER_AXISYMMETRIC};
@@ -27,9 +29,23 @@ use self::translator::TRANSLATOR;
 use self::ujoint::UJOINT;
 
 /// Every kind of element.
-static KINDS: [Kind; 12] = TABLES;
-const TABLES: [Kind; 12] =
-    [SLOT, SLOT_2D, TRANSLATOR, ALIGN, UJOINT, JOIN, UNIVERSAL, SLIDER, SLIDER_2D, SLIDER_AXISYMMETRIC, ISL21A, ISL22A];
+static KINDS: [Kind; 14] = TABLES;
+const TABLES: [Kind; 14] = [
+    SLOT,
+    SLOT_2D,
+    TRANSLATOR,
+    ALIGN,
+    UJOINT,
+    HINGE,
+    REVOLUTE,
+    JOIN,
+    UNIVERSAL,
+    SLIDER,
+    SLIDER_2D,
+    SLIDER_AXISYMMETRIC,
+    ISL21A,
+    ISL22A,
+];
 
 const _: () = {
     let mut k = 0;

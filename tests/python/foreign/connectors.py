@@ -137,7 +137,8 @@ class Connector:
             names = [name for name, _ in outputs(block.rows)]
             residuals = list(dict.fromkeys(name.rpartition("_")[0] for name in names))
             of_connector = [residuals[row] for row in rows]
-            taken[block.rows] = taken.get(block.rows, []) + [name for name in names if name.rpartition("_")[0] in of_connector]
+            mine = [name for name in names if name.rpartition("_")[0] in of_connector]
+            taken[block.rows] = list(dict.fromkeys(taken.get(block.rows, []) + mine))
         return taken
 
     def closed_rows(self) -> dict[str, list[str]]:
@@ -242,6 +243,24 @@ ANGLES = Block(
 )
 CROSS = Block("universal.rows", "universal.nodal_moments", "universal.geometric_stiffness", ("lambda_rot",))
 
+
+
+def tilt() -> Product:
+    """e1a.e2b = -cos beta sin gamma."""
+
+    def gradient(angles: np.ndarray) -> np.ndarray:
+        (b, c), (sb, sc) = np.cos(angles[1:]), np.sin(angles[1:])
+        return np.array([0.0, sb * sc, -b * c])
+
+    def second(angles: np.ndarray) -> np.ndarray:
+        (b, c), (sb, sc) = np.cos(angles[1:]), np.sin(angles[1:])
+        return np.array([[0.0, 0.0, 0.0], [0.0, b * sc, sb * c], [0.0, sb * c, b * sc]])
+
+    return Product(lambda angles: -np.cos(angles[1]) * np.sin(angles[2]), gradient, second)
+
+
+#: UNIVERSAL's block with another axis of b.
+TILT = Block(CROSS.rows, CROSS.forces, CROSS.stiffness, CROSS.multipliers, (("e3b", "e2b"),))
 SLIDES = ("slide x", "slide y", "slide z")
 
 JOIN = Connector("JOIN", "join.constraint", ((LINE, (0, 1, 2)),), (0, 1, 2), joints=("ball",))
@@ -265,4 +284,13 @@ TRANSLATOR = Connector(
     (1, 2, 3, 4, 5),
     joints=("slide x",),
 )
-ALL = (JOIN, SLOT, ALIGN, TRANSLATOR, UNIVERSAL, UJOINT)
+HINGE = Connector(
+    "HINGE",
+    "hinge.constraint",
+    ((LINE, (0, 1, 2)), (TILT, (0,)), (CROSS, (0,))),
+    (0, 1, 2, 5, 4),
+    ((3, tilt()), (4, sine())),
+    ("hinge x",),
+    count=1000,
+)
+ALL = (JOIN, SLOT, ALIGN, TRANSLATOR, UNIVERSAL, UJOINT, HINGE)

@@ -1,5 +1,6 @@
 //! The documents, statement by statement.
 
+mod hinge;
 mod slide_line;
 mod slider;
 mod slot;
@@ -8,7 +9,15 @@ mod ujoint;
 
 use super::document::Document;
 
-/// All five documents.
+/// All documents.
 pub(crate) fn all() -> Vec<Document> {
-    vec![slot::document(), ujoint::document(), slider::document(), translator::document(), slide_line::document()]
+    vec![
+        slot::document(),
+        ujoint::document(),
+        slider::document(),
+        translator::document(),
+        slide_line::document(),
+        hinge::revolute(),
+        hinge::hinge(),
+    ]
 }

@@ -1,9 +1,9 @@
 //! The batches of every formula, compiled with this crate: optimised for speed, whereas the evidence is optimised for size.
 
-#[expect(clippy::wildcard_imports, reason = "the table, which the build script writes, names any of them")]
-use jointproof::{connector::*, contact::*, element, element::cardan};
 use jointproof::formula::Formula;
 use jointproof::toolkit::batch::{self, ArrayView1, ArrayViewMut1};
+#[expect(clippy::wildcard_imports, reason = "the table, which the build script writes, names any of them")]
+use jointproof::{connector::*, contact::*, element, element::cardan};
 
 /// A column per component of the inputs, then of the results.
 type Run = fn(&[ArrayView1<f64>], &mut [ArrayViewMut1<f64>]) -> Result<(), batch::Error>;

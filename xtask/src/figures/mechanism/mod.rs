@@ -3,6 +3,7 @@
 mod along;
 mod contact;
 mod cross;
+mod hinge;
 mod line;
 mod pose;
 mod slot;
@@ -20,6 +21,7 @@ pub(super) fn all() -> Vec<Moving> {
         pose::join(),
         cross::universal(),
         cross::forces(),
+        hinge::hinge(),
         line::slider(),
         line::smoothed(),
         contact::stick_and_slip(),

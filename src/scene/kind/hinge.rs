@@ -1,0 +1,130 @@
+//! HINGE: JOIN and REVOLUTE, with the friction of the pin; and REVOLUTE by itself.
+
+use super::dimension::Dimension;
+use super::parts::{APART, FOLLOWED1, FORCE, JOINED, JOINING, KINETIC_MOMENT, MOMENT};
+use super::shared::{FORCES, Given, MOMENTS, NODES, SECOND_TRIAD, WITH_FRICTION, WITHOUT_FRICTION};
+use super::slot::Outputs;
+use super::table::{Fallback, Kind, Origin, Use, When, always, renamed};
+use crate::connector::{hinge, revolute};
+use crate::contact::coulomb::Response;
+use crate::formula::quantity::{CROSS_M1, Domain, Quantity, Unit};
+use crate::scene::rules::{Accumulated, Follow, Increment, Kinetic, TURN_STICK, scalar};
+use Fallback::{As, Number, Required};
+use Origin::{Before, Initial, Parameter, Zero};
+
+/// What a pin is given: its orientation at the start, and how far b was rotated before.
+const HELD: &[Given] = &[
+    ("no_number", Zero),
+    ("c2", Initial("c2_now")),
+    ("c3", Initial("c3_now")),
+    ("alpha0", Initial("alpha_now")),
+    ("ur1_before", Before("ur1")),
+    ("theta1_ref", Parameter(As("alpha0"))),
+];
+/// The angle is read off from −π to π, and followed from state to state.
+const TURNING: &[Use] = &[
+    always(&revolute::Constraint),
+    renamed(&revolute::Constraint, &[("c2", "no_number"), ("c3", "no_number"), ("g2", "c2_now"), ("g3", "c3_now")]),
+    renamed(&revolute::Angle, &[("alpha", "alpha_now")]),
+    renamed(&Follow, &[("angle", "alpha_now"), ("start", "alpha0"), ("turned", "ur1_before"), ("followed", "alpha")]),
+    always(&revolute::RelativeMotion),
+    renamed(&revolute::ConstraintMoment, &[("m", "rm")]),
+];
+const TURNED: Outputs = &[("G2", "g2"), ("G3", "g3"), ("ALPHA", "alpha"), ("UR1", "ur1"), ("UR1MAT", "ur1_mat")];
+
+pub(super) const REVOLUTE: Kind = Kind {
+    name: "revolute",
+    dimension: Dimension::Space,
+    nodes: &["a", "b"],
+    given: &[NODES, SECOND_TRIAD, HELD, MOMENTS],
+    ordered: &[],
+    formulas: &[TURNING, &[renamed(&revolute::KineticMoment, &[("m", "km")])]],
+    meanings: &[("alpha", &FOLLOWED1), ("m1", &CROSS_M1)],
+    outputs: &[TURNED, MOMENT, KINETIC_MOMENT],
+};
+
+const STOPS: &[&str] = &["theta1_min", "theta1_max"];
+/// Both stops at once, or the one that is given, which then stands for the other too.
+const STOPPING: &[Use] = &[
+    always(&hinge::Stop).when(When::AllGiven(STOPS)),
+    renamed(&hinge::Stop, &[("theta1_max", "theta1_min"), ("gap_max", "no_gap_max")]).when(When::NotAllGiven(STOPS)),
+    renamed(&hinge::Stop, &[("theta1_min", "theta1_max"), ("gap_min", "no_gap_min")]).when(When::NotAllGiven(STOPS)),
+];
+
+const CSM1: Quantity = scalar(
+    r"m_1",
+    Unit::FL,
+    Domain::Real,
+    "friction moment about e1a, positive where it resists positive ur1: on node a, its opposite on node b",
+);
+const SLIP1: Quantity = scalar(r"\Delta s_1", Unit::ONE, Domain::Real, "slip about e1a in this increment, 0 in stick");
+const TOTAL1: Quantity = scalar(r"s_1", Unit::ONE, Domain::NonNegative, "accumulated slip about e1a, never falling");
+
+/// The moment about the pin: the load, and friction.
+const KINETIC: &[Use] = &[
+    renamed(&revolute::KineticMoment, &[("m", "km")]).when(WITHOUT_FRICTION),
+    renamed(&Kinetic, &[("f_load", "m1"), ("csf", "csm1"), ("f_kinetic", "m1_kinetic")]),
+    renamed(&revolute::KineticMoment, &[("m1", "m1_kinetic"), ("m", "km")]).when(WITH_FRICTION),
+];
+/// Φ is of friction alone.
+const RUBBING: &[Use] = &[
+    always(&hinge::ContactMoment),
+    renamed(&hinge::Friction, &[("m1", "no_number")]).when(WITHOUT_FRICTION),
+    renamed(&hinge::Friction, &[("m1", "csm1"), ("mn", "no_normal")]).when(WITH_FRICTION),
+    renamed(&hinge::Friction, &[("m1", "no_number"), ("p", "no_traction"), ("phi", "no_yield")]).when(WITH_FRICTION),
+    renamed(&Increment, &[("u1", "ur1"), ("u1_before", "ur1_before"), ("du", "dur1")]),
+    renamed(&Response, &[("du", "dur1"), ("f_before", "m1_before"), ("fn", "mn"), ("f", "csm1"), ("slip", "slip1")]),
+    renamed(&Accumulated, &[("slip", "slip1"), ("slip_before", "slip1_before"), ("slip_total", "slip1_total")]),
+];
+
+pub(super) const HINGE: Kind = Kind {
+    name: "hinge",
+    given: &[
+        NODES,
+        SECOND_TRIAD,
+        JOINED,
+        HELD,
+        &[
+            ("theta1_min", Parameter(Required)),
+            ("theta1_max", Parameter(Required)),
+            ("rp", Parameter(Required)),
+            ("ra", Parameter(Number(0.0))),
+            ("ls", Parameter(Number(0.0))),
+            ("mu", Parameter(Number(0.0))),
+            ("mc_int", Parameter(Number(0.0))),
+            ("k_stick", Parameter(Required)),
+            ("m1_before", Before("csm1")),
+            ("slip1_before", Before("slip1_total")),
+        ],
+        FORCES,
+        MOMENTS,
+    ],
+    ordered: &[("theta1_min", "theta1_max")],
+    formulas: &[JOINING, TURNING, STOPPING, KINETIC, RUBBING],
+    meanings: &[
+        ("k_stick", &TURN_STICK),
+        ("alpha", &FOLLOWED1),
+        ("m1", &CROSS_M1),
+        ("csm1", &CSM1),
+        ("slip1", &SLIP1),
+        ("slip1_total", &TOTAL1),
+    ],
+    outputs: &[
+        APART,
+        TURNED,
+        &[("GAP1MIN", "gap_min"), ("GAP1MAX", "gap_max")],
+        FORCE,
+        MOMENT,
+        KINETIC_MOMENT,
+        &[
+            ("MC", "mc"),
+            ("MN", "mn"),
+            ("P", "p"),
+            ("PHI", "phi"),
+            ("CSM1", "csm1"),
+            ("SLIPR1", "slip1"),
+            ("CASUR1", "slip1_total"),
+        ],
+    ],
+    ..REVOLUTE
+};
