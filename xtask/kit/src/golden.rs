@@ -1,5 +1,6 @@
 //! `golden`: the golden files, written or checked.
 
+use crate::book::permalinks;
 use crate::console::{bold, count, green, print, progress, red, say};
 use crate::elements::GoldenFiles;
 use crate::evidence::{Evidence, GoldenCheck};
@@ -123,6 +124,12 @@ fn write(project: &Project, selection: &Selection) -> anyhow::Result<String> {
         _ => Beside::default(),
     };
     outputs.extend(beside.files.iter().map(|(path, text)| (path, text)));
+    // A formula has a permanent address from its first golden file on.
+    let list = project.root().join(permalinks::LIST);
+    let addresses = std::fs::read_to_string(&list).ok();
+    let addresses =
+        addresses.map(|text| permalinks::with(&text, regenerated.iter().map(|golden| golden.file.formula.clone())));
+    outputs.extend(addresses.as_ref().map(|text| (&list, text)));
     for (path, text) in outputs {
         if files::write(path, text)? {
             writeln!(report, "wrote {}", project.shown(path))?;

@@ -15,6 +15,13 @@ use super::output::write;
 /// The list of all addresses ever published.
 pub(crate) const LIST: &str = "book/permalinks.txt";
 
+/// The list with these names added that it lacks.
+pub(crate) fn with(list: &str, ids: impl IntoIterator<Item = String>) -> String {
+    let is_listed = |id: &str| list.lines().any(|line| line.split(['-', '#']).next().unwrap_or_default().trim() == id);
+    let missing = ids.into_iter().filter(|id| !is_listed(id)).map(|id| id + "\n");
+    format!("{}\n{}", list.trim_end(), missing.collect::<String>())
+}
+
 /// The address of a formula, from the root of the book.
 pub(crate) fn page(id: &str) -> String {
     format!("id/{id}.html")

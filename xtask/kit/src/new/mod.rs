@@ -3,7 +3,7 @@
 mod edit;
 
 use crate::book::coverage::{Directive, directives};
-use crate::book::permalinks::LIST as PERMALINKS;
+use crate::book::permalinks;
 use crate::console::{bold, print};
 use crate::files;
 use crate::outcome::{Outcome, Usage, verdict};
@@ -97,10 +97,10 @@ fn changes(project: &Project, family: &str, name: &str) -> anyhow::Result<Vec<Ch
         changes.push((path, text));
     }
     // If the book has a list of permanent addresses, one is added.
-    let permalinks = project.root().join(PERMALINKS);
-    if permalinks.exists() {
-        let text = read(&permalinks)?;
-        changes.push((permalinks, format!("{}\n{family}.{name}\n", text.trim_end())));
+    let list = project.root().join(permalinks::LIST);
+    if list.exists() {
+        let text = permalinks::with(&read(&list)?, [format!("{family}.{name}")]);
+        changes.push((list, text));
     }
     Ok(changes)
 }
