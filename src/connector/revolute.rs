@@ -32,9 +32,9 @@ const fn cosine(latex: &'static str, meaning: &'static str) -> Quantity {
 }
 
 /// Residual of e1a·e2b.
-pub const G_R2: Quantity = cosine("g_2", "residual of REVOLUTE, zero when e1a and e2b have their initial angle");
+pub const G_R2: Quantity = cosine("g_{r2}", "residual of REVOLUTE, zero when e1a and e2b have their initial angle");
 /// Residual of e1a·e3b.
-pub const G_R3: Quantity = cosine("g_3", "residual of REVOLUTE, zero when e1a and e3b have their initial angle");
+pub const G_R3: Quantity = cosine("g_{r3}", "residual of REVOLUTE, zero when e1a and e3b have their initial angle");
 /// Initial value of e1a·e2b.
 pub const C2: Quantity = cosine("c_2", "initial value of e1a·e2b, zero where the first axes agree at the start");
 /// Initial value of e1a·e3b.
@@ -63,7 +63,7 @@ impl Formula for Constraint {
              Cardan angles; holding both products at their initial values is the same",
         ),
     )
-    .equation(r"g_2 = \mathbf{e}_{1a}\cdot\mathbf{e}_{2b} - c_2,\quad g_3 = \mathbf{e}_{1a}\cdot\mathbf{e}_{3b} - c_3")
+    .equation(r"g_{r2} = \mathbf{e}_{1a}\cdot\mathbf{e}_{2b} - c_2,\quad g_{r3} = \mathbf{e}_{1a}\cdot\mathbf{e}_{3b} - c_3")
     .eta(2.0, 0.0)
     .scale(1e250)
     .finite(Finite::Below);

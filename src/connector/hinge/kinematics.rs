@@ -34,7 +34,7 @@ impl Formula for Constraint {
         super::DOCUMENT.ours("Description", "the page names JOIN and REVOLUTE, whose pages print their conditions"),
     )
     .equation(
-        r"g_i = \mathbf{e}_{ia}\cdot(\mathbf{x}_b-\mathbf{x}_a) - d_{0i}\ (i = 1, 2, 3),\quad g_2 = \mathbf{e}_{1a}\cdot\mathbf{e}_{2b} - c_2,\quad g_3 = \mathbf{e}_{1a}\cdot\mathbf{e}_{3b} - c_3",
+        r"g_i = \mathbf{e}_{ia}\cdot(\mathbf{x}_b-\mathbf{x}_a) - d_{0i}\ (i = 1, 2, 3),\quad g_{r2} = \mathbf{e}_{1a}\cdot\mathbf{e}_{2b} - c_2,\quad g_{r3} = \mathbf{e}_{1a}\cdot\mathbf{e}_{3b} - c_3",
     )
     .eta(2.0, 1.0)
     .scale(1e250)

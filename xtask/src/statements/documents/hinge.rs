@@ -1,7 +1,7 @@
 //! REVOLUTE and HINGE, statement by statement.
 
 use crate::statements::document::Document;
-use crate::statements::statement::{Statement, covered, mended, outside};
+use crate::statements::statement::{Statement, covered, outside};
 use jointproof::connector::hinge::{self, Hinge};
 use jointproof::connector::{join, revolute};
 use jointproof::contact::coulomb;
@@ -96,16 +96,16 @@ fn friction() -> Vec<Statement> {
         covered("friction-1", "Friction relates the constraint forces and moments to the friction moment CSM1 about the axis.")
             .formulas(&[&hinge::Friction, &coulomb::Response])
             .outputs(&["hinge/CSM1"]),
-        mended("friction-2", "Φ = P − μ M_N; P is the moment of the tangential tractions, M_N the normal moment.", "hinge-equations")
+        covered("friction-2", "Φ = P − μ M_N; P is the moment of the tangential tractions, M_N the normal moment.")
             .formulas(&[&hinge::Friction, &coulomb::Yield])
             .cases(&hinge::Friction, &["stick", "slip"])
             .law(&hinge::Friction, "at the friction moment")
             .method(Hinge::friction)
             .outputs(&["hinge/P", "hinge/MN", "hinge/PHI"]),
-        mended("friction-3", "The normal moment is the size of the contact moment and that of the internal one.", "hinge-equations")
+        covered("friction-3", "The normal moment is the size of the contact moment and that of the internal one.")
             .formulas(&[&hinge::Friction])
             .cases(&hinge::Friction, &["press-fit"]),
-        mended("friction-4", "The contact moment is made of the axial force at R_a, the force across the pin at R_p, and bending over L_s.", "hinge-equations")
+        covered("friction-4", "The contact moment is made of the axial force at R_a, the force across the pin at R_p, and bending over L_s.")
             .formulas(&[&hinge::ContactMoment])
             .cases(&hinge::ContactMoment, &["all", "no-arm", "no-overlap"])
             .law(&hinge::ContactMoment, "a couple of forces at both ends")
