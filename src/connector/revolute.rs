@@ -59,8 +59,7 @@ impl Formula for Constraint {
         "Constraint",
         DOCUMENT.ours(
             "Description",
-            "the page prints both scalar products as 0 and, where the axes do not agree at the start, holds the second and third \
-             Cardan angles; holding both products at their initial values is the same",
+            "the page prints both products as 0, or holds β and γ where the axes do not agree at the start, which is the same",
         ),
     )
     .equation(r"g_{r2} = \mathbf{e}_{1a}\cdot\mathbf{e}_{2b} - c_2,\quad g_{r3} = \mathbf{e}_{1a}\cdot\mathbf{e}_{3b} - c_3")

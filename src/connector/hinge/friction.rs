@@ -79,7 +79,7 @@ impl Formula for ContactMoment {
     )
         .equation(r"M_C = \lvert f_1\rvert R_a + R_p\sqrt{f_2^2 + f_3^2} + \beta\sqrt{m_2^2 + m_3^2},\quad \beta = \begin{cases} 2R_p/L_s & L_s > 0 \\ 0 & L_s = 0 \end{cases}")
         .eta(2.0, 3.0)
-        .scale(1e80)
+        .scale(1e120)
         .finite(Finite::Between);
     type Inputs<T: Component> = PinLoads<T>;
     type Outputs<T: Component> = Contact<T>;
@@ -160,7 +160,7 @@ impl Formula for Friction {
     )
     .given(&[Given::new("M_C", &ContactMoment::SPEC)])
     .eta(4.0, 3.0)
-    .scale(1e80)
+    .scale(1e50)
     .finite(Finite::Between);
     type Inputs<T: Component> = HingeLoads<T>;
     type Outputs<T: Component> = HingeFriction<T>;
