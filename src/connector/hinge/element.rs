@@ -115,7 +115,9 @@ impl Element<5> for HingeElement {
             rows.set_row(3 + k, &by_spins(row.g_rot_ta, row.g_rot_tb).transpose());
         }
         let mut stiffness = line::GeometricStiffness::eval(&joined).matrix();
-        bent.iter().for_each(|of| of.add_to(&mut stiffness));
+        for of in &bent {
+            of.add_to(&mut stiffness);
+        }
         let (ma, mb) = (moments[0].ma + moments[1].ma, moments[0].mb + moments[1].mb);
         let mut found = Contribution::smooth(
             SVector::from([g.x, g.y, g.z, g2, g3]),
