@@ -2,7 +2,6 @@
 
 use jointproof::formula::Formula;
 use jointproof::toolkit::batch::{self, ArrayView1, ArrayViewMut1};
-#[expect(clippy::wildcard_imports, reason = "the table, which the build script writes, names any of them")]
 use jointproof::{connector::*, contact::*, element, element::cardan};
 
 /// A column per component of the inputs, then of the results.
