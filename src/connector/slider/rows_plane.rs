@@ -1,6 +1,6 @@
 //! SLIDER in the plane, (x, y) or (r, z), as an element: one residual, over the translations of nodes 1, n and m.
 //!
-//! As in [space](super::slider), rows and forces are those of m on the line. In the plane t rotates with the line only, so that
+//! As in [space](super::rows), rows and forces are those of m on the line. In the plane t rotates with the line only, so that
 //! the stiffness has a single term. The coordinates r and z of an axisymmetric model are treated in the same way; the force is
 //! then that on the whole circumference.
 
