@@ -42,7 +42,11 @@ pub(super) fn with_module(room: &str, name: &str) -> Option<String> {
 pub(super) fn with_entry(catalog: &str, family: &str, type_name: &str) -> Option<String> {
     let start = catalog.find("static CATALOG")?;
     let end = start + catalog[start..].find("];")?;
-    let last = start + catalog[start..end].rfind(&format!("&{family}::"))?;
+    let family_entry = format!("&{family}::");
+    // A deeper module, as `&slot::plane::Rows`, is another place of the list.
+    let is_direct = |at: usize| catalog[start + at + family_entry.len()..].starts_with(char::is_uppercase);
+    let (last, _) = catalog[start..end].rmatch_indices(&family_entry).find(|&(at, _)| is_direct(at))?;
+    let last = start + last;
     let after = last + catalog[last..end].find([',', ']']).unwrap_or(end - last);
     Some(inserted(catalog, after, &format!(",\n    &{family}::{type_name}")))
 }
