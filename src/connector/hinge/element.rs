@@ -6,9 +6,9 @@
 
 use super::{Constraint, Friction, HingeLoads, HingeResiduals, Hinged, LS, MC_INT, RA, RP};
 use crate::connector::revolute::{C2, C3};
-use crate::contact::coulomb::{Response, Sliding};
+use crate::contact::coulomb::Sliding;
 use crate::element::angle::{self, AlignLoads};
-use crate::element::cardan::nearest;
+use crate::element::cardan::{alpha, nearest};
 use crate::element::cross::{self, CrossAxes, UniversalLoads};
 use crate::element::nodes::{by_spins, two_nodes};
 use crate::element::{Contribution, Element, Nodes, Parameters, Rows, line};
@@ -56,15 +56,14 @@ impl<D: Scalar> HingeContact<D> {
         let loads = HingeLoads { m1: D::zero(), f1, f2, f3, m2, m3, rp, ra, ls, mc_int, mu };
         let (friction, by_loads) = Friction::linearized(&loads);
         let increment = Sliding { du: ur1 - before.ur1, f_before: before.m1, k_stick, mu, r#fn: friction.mn };
-        let (slid, by) = Response::linearized(&increment);
         let HingeLoads { f1, f2, f3, m2, m3, .. } = by_loads.mn;
-        (slid.f, by.f.du, [f1, f2, f3, m2, m3].map(|x| by.f.r#fn * x))
+        increment.under([f1, f2, f3, m2, m3])
     }
 }
 
 /// The rotation since the start.
 pub(super) fn turned<D: Scalar>(nodes: &Nodes<D>, start: &HingeStart<D>, before: &HingeState<D>) -> D {
-    nearest(crate::element::cardan::alpha(&nodes.e2a, &nodes.e3a, &nodes.e3b) - start.alpha0, before.ur1)
+    nearest(alpha(&nodes.e2a, &nodes.e3a, &nodes.e3b) - start.alpha0, before.ur1)
 }
 
 impl Element<5> for HingeElement {

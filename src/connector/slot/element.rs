@@ -4,7 +4,7 @@
 pub(crate) mod proof;
 
 use crate::connector::slot::{Constraint, Friction, RelativePosition, Residuals, SlotLoads, SlotPositions};
-use crate::contact::coulomb::{Response, Sliding};
+use crate::contact::coulomb::Sliding;
 use crate::element::line;
 use crate::element::nodes::two_nodes;
 use crate::element::{Contribution, Element, Nodes, Parameters};
@@ -33,12 +33,11 @@ fields! {
 
 impl<D: Scalar> SlotContact<D> {
     /// The friction force after a motion, with its derivatives with respect to u1, f2 and f3.
-    pub(super) fn rub(&self, u1: D, before: &SlotState<D>, [f2, f3]: [D; 2]) -> (D, [D; 3]) {
+    pub(super) fn rub(&self, u1: D, before: &SlotState<D>, [f2, f3]: [D; 2]) -> (D, D, [D; 2]) {
         let Self { k_stick, fc_int, mu } = *self;
         let (friction, by_loads) = Friction::linearized(&SlotLoads { f1: D::zero(), f2, f3, fc_int, mu });
         let increment = Sliding { du: u1 - before.u1, f_before: before.f1, k_stick, mu, r#fn: friction.r#fn };
-        let (slid, by) = Response::linearized(&increment);
-        (slid.f, [by.f.du, by.f.r#fn * by_loads.r#fn.f2, by.f.r#fn * by_loads.r#fn.f3])
+        increment.under([by_loads.r#fn.f2, by_loads.r#fn.f3])
     }
 }
 
@@ -70,14 +69,14 @@ impl Element<2> for SlotElement {
 
         let u1 = RelativePosition::eval(&positions).x - x0;
         let rubbed = parameters.contact.map(|contact| contact.rub(u1, before, [f2, f3]));
-        let loads = nodes.join_loads([rubbed.map_or(D::zero(), |(f1, _)| -f1), f2, f3]);
+        let loads = nodes.join_loads([rubbed.map_or(D::zero(), |(f1, ..)| -f1), f2, f3]);
         let mut found = Contribution::smooth(
             Vector2::new(gy, gz),
             rows,
             line::Forces::eval(&loads).vector(),
             line::GeometricStiffness::eval(&loads).matrix(),
         );
-        let Some((f1, [by_u1, by_f2, by_f3])) = rubbed else { return (found, *before) };
+        let Some((f1, by_u1, [by_f2, by_f3])) = rubbed else { return (found, *before) };
         found.follow_friction(&along, &(along * by_u1), &Vector2::new(by_f2, by_f3));
         (found, SlotState { u1, f1 })
     }

@@ -85,7 +85,7 @@ impl Element<1, 6> for SlotElement2d {
         // The formulas of the direction normal to the slot apply along it as well: e1a is e2a rotated by 90° to the right.
         let slot = PlanePlaces { e2a: Vector2::new(e2a.y, -e2a.x), ..*nodes };
         let u1 = slot.e2a.dot(&(xb - xa)) - x0;
-        let (f1, [by_u1, by_f2, _]) = contact.rub(u1, before, [multiplier.x, D::zero()]);
+        let (f1, by_u1, [by_f2, _]) = contact.rub(u1, before, [multiplier.x, D::zero()]);
         let (rubbing, row) = (loads(&slot, -f1), Rows::eval(&slot).vector());
         found.forces += Forces::eval(&rubbing).vector();
         found.stiffness += GeometricStiffness::eval(&rubbing).matrix();

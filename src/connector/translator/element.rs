@@ -9,7 +9,7 @@ use crate::connector::align::Orientations;
 use crate::connector::slot::SlotState;
 use crate::connector::slot::{RelativePosition, SlotPositions};
 use crate::connector::translator::{AllResiduals, Constraint, Friction, FrictionLoads, Placement};
-use crate::contact::coulomb::{Response, Sliding};
+use crate::contact::coulomb::Sliding;
 use crate::element::angle::{self, AlignLoads, AlignRows};
 use crate::element::cardan::Angles;
 use crate::element::nodes::{by_spins, two_nodes};
@@ -46,9 +46,8 @@ impl<D: Scalar> TranslatorContact<D> {
         let loads = FrictionLoads { f1: D::zero(), f2, f3, m1, m2, m3, rr, l, fc_int, mu };
         let (friction, by_loads) = Friction::linearized(&loads);
         let increment = Sliding { du: u1 - before.u1, f_before: before.f1, k_stick, mu, r#fn: friction.r#fn };
-        let (slid, by) = Response::linearized(&increment);
         let FrictionLoads { f2, f3, m1, m2, m3, .. } = by_loads.r#fn;
-        (slid.f, by.f.du, [f2, f3, m1, m2, m3].map(|x| by.f.r#fn * x))
+        increment.under([f2, f3, m1, m2, m3])
     }
 }
 

@@ -11,7 +11,7 @@ use crate::connector::ujoint::{
     NormalMoments,
 };
 use crate::connector::universal::{Angles, Turns};
-use crate::contact::coulomb::{Response, Sliding};
+use crate::contact::coulomb::Sliding;
 use crate::element::angle::{self, AlignLoads};
 use crate::element::cardan::nearest;
 use crate::element::cross::{self, UniversalLoads};
@@ -71,8 +71,9 @@ impl<D: Scalar> UJointContact<D> {
         let (ContactMomentPair { mc1, mc3 }, contact) = ContactMoments::linearized(&loads);
         let (normal, by_contact) = NormalMoments::linearized(&AllContactMoments { mc1, mc3, mc1_int, mc3_int });
         let about = |du, f_before, k_stick, r#fn, by_contact, contact: JointLoads<D>| {
-            let (slid, by) = Response::linearized(&Sliding { du, f_before, k_stick, mu, r#fn });
-            Rubbed { moment: slid.f, by_turn: by.f.du, by_loads: contact.times(by.f.r#fn * by_contact) }
+            let increment = Sliding { du, f_before, k_stick, mu, r#fn };
+            let (moment, by_turn, [by_loads]) = increment.under([by_contact]);
+            Rubbed { moment, by_turn, by_loads: contact.times(by_loads) }
         };
         [
             about(ur1 - before.ur1, before.m1, k_stick1, normal.mn1, by_contact.mn1.mc1, contact.mc1),

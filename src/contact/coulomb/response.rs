@@ -31,6 +31,22 @@ impl<D: Scalar> Sliding<D> {
     fn trial(&self) -> Trial<D> {
         Trial { f_trial: self.f_before + self.k_stick * self.du, mu: self.mu, r#fn: self.r#fn }
     }
+
+    /// The force and the slip, from the trial force.
+    #[inline]
+    fn slid(&self, trial: &Trial<D>) -> Slid<D> {
+        let f = ReturnMap::eval(trial).f;
+        // Computed from the trial force, the slip would lose the digits of the previous force if the motion is large.
+        Slid { f, slip: if trial.sticks() { D::zero() } else { self.du - (f - self.f_before) / self.k_stick } }
+    }
+
+    /// The friction force, with its derivatives with respect to the motion and to the loads that press, from those of the normal
+    /// force.
+    #[inline]
+    pub(crate) fn under<const N: usize>(&self, normal_by_loads: [D; N]) -> (D, D, [D; N]) {
+        let (Slid { f, .. }, Slid { f: by, .. }) = Response::linearized(self);
+        (f, by.du, normal_by_loads.map(|x| by.r#fn * x))
+    }
 }
 
 impl Formula for Response {
@@ -51,10 +67,7 @@ impl Formula for Response {
 
     #[inline]
     fn eval<D: Scalar>(i: &Sliding<D>) -> Slid<D> {
-        let trial = i.trial();
-        let f = ReturnMap::eval(&trial).f;
-        // Computed from the trial force, the slip would lose the digits of the previous force if the motion is large.
-        Slid { f, slip: if trial.sticks() { D::zero() } else { i.du - (f - i.f_before) / i.k_stick } }
+        i.slid(&i.trial())
     }
 
     #[inline]
@@ -64,9 +77,8 @@ impl Formula for Response {
 
     #[inline]
     fn linearized<D: Scalar>(i: &Sliding<D>) -> ValueAndJacobian<Self, D> {
-        let (zero, one, value) = (D::zero(), D::one(), Self::eval(i));
-        let none = Sliding { du: zero, f_before: zero, k_stick: zero, mu: zero, r#fn: zero };
-        let trial = i.trial();
+        let (zero, one, trial) = (D::zero(), D::one(), i.trial());
+        let (value, none) = (i.slid(&trial), Sliding { du: zero, f_before: zero, k_stick: zero, mu: zero, r#fn: zero });
         if trial.sticks() {
             let f = Sliding { du: i.k_stick, f_before: one, k_stick: i.du, ..none };
             return (value, Slid { f, slip: none });
