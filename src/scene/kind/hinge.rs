@@ -6,9 +6,9 @@ use super::shared::{FORCES, Given, MOMENTS, NODES, SECOND_TRIAD, WITH_FRICTION, 
 use super::slot::Outputs;
 use super::table::{Fallback, Kind, Origin, Use, When, always, renamed};
 use crate::connector::{hinge, revolute};
-use crate::contact::coulomb::Response;
+use crate::contact::coulomb::{Response, Yield};
 use crate::formula::quantity::{CROSS_M1, Domain, Quantity, Unit};
-use crate::scene::rules::{Accumulated, Follow, Increment, Kinetic, TURN_STICK, scalar};
+use crate::scene::rules::{Accumulated, Follow, Increment, Kinetic, TURN_STICK, Traction, scalar};
 use Fallback::{As, Number, Required};
 use Origin::{Before, Initial, Parameter, Zero};
 
@@ -69,9 +69,10 @@ const KINETIC: &[Use] = &[
 /// Φ is of friction alone.
 const RUBBING: &[Use] = &[
     always(&hinge::ContactMoment),
-    renamed(&hinge::Friction, &[("m1", "no_number")]).when(WITHOUT_FRICTION),
-    renamed(&hinge::Friction, &[("m1", "csm1"), ("mn", "no_normal")]).when(WITH_FRICTION),
-    renamed(&hinge::Friction, &[("m1", "no_number"), ("p", "no_traction"), ("phi", "no_yield")]).when(WITH_FRICTION),
+    renamed(&hinge::Friction, &[("m1", "no_number"), ("p", "no_traction"), ("phi", "no_yield")]),
+    renamed(&Traction, &[("csf", "no_number")]).when(WITHOUT_FRICTION),
+    renamed(&Traction, &[("csf", "csm1")]).when(WITH_FRICTION),
+    renamed(&Yield, &[("fn", "mn")]),
     renamed(&Increment, &[("u1", "ur1"), ("u1_before", "ur1_before"), ("du", "dur1")]),
     renamed(&Response, &[("du", "dur1"), ("f_before", "m1_before"), ("fn", "mn"), ("f", "csm1"), ("slip", "slip1")]),
     renamed(&Accumulated, &[("slip", "slip1"), ("slip_before", "slip1_before"), ("slip_total", "slip1_total")]),
@@ -105,6 +106,8 @@ pub(super) const HINGE: Kind = Kind {
         ("k_stick", &TURN_STICK),
         ("alpha", &FOLLOWED1),
         ("m1", &CROSS_M1),
+        ("p", &hinge::P_MOMENT),
+        ("phi", &hinge::PHI_MOMENT),
         ("csm1", &CSM1),
         ("slip1", &SLIP1),
         ("slip1_total", &TOTAL1),
