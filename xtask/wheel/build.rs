@@ -10,8 +10,25 @@ fn main() -> io::Result<()> {
     let catalog = fs::read_to_string(CATALOG)?;
     let list = catalog.split_once("static CATALOG").and_then(|(_, rest)| rest.split_once("];"));
     let (list, _) = list.ok_or_else(|| io::Error::other("no `static CATALOG` in src/catalog/list.rs"))?;
+    let uses: Vec<_> = catalog.split("use crate::").skip(1).filter_map(|rest| rest.split_once(';')).collect();
     let types = list.lines().filter_map(|line| line.trim().strip_prefix('&')?.strip_suffix(','));
-    let batches: Vec<_> = types.map(|path| format!("    Batch::of::<{path}>(),\n")).collect();
+    let batch = |path: &str| {
+        let module = path.split("::").next().unwrap_or(path);
+        let from = uses.iter().find_map(|(import, _)| parent(import, module));
+        let from = from.ok_or_else(|| io::Error::other(format!("{CATALOG} does not import {module}")))?;
+        Ok(format!("    Batch::of::<jointproof::{from}{path}>(),\n"))
+    };
+    let batches: io::Result<String> = types.map(batch).collect();
     let folder = env::var_os("OUT_DIR").ok_or_else(|| io::Error::other("cargo sets OUT_DIR"))?;
-    fs::write(Path::new(&folder).join("batches.rs"), format!("&[\n{}]\n", batches.concat()))
+    fs::write(Path::new(&folder).join("batches.rs"), format!("&[\n{}]\n", batches?))
+}
+
+/// What stands in front of a module that this import brings in: `connector::` of `slot` in `connector::{join, slot}`.
+fn parent(import: &str, module: &str) -> Option<String> {
+    let (from, names) = import.split_once("::{")?;
+    let has = |wanted: &str| names.trim_end_matches('}').split(',').any(|name| name.trim() == wanted);
+    if has(module) {
+        return Some(format!("{from}::"));
+    }
+    (from == module && has("self")).then(String::new)
 }

@@ -2,7 +2,6 @@
 
 use jointproof::formula::Formula;
 use jointproof::toolkit::batch::{self, ArrayView1, ArrayViewMut1};
-use jointproof::{connector::*, contact::*, element, element::cardan};
 
 /// A column per component of the inputs, then of the results.
 type Run = fn(&[ArrayView1<f64>], &mut [ArrayViewMut1<f64>]) -> Result<(), batch::Error>;
