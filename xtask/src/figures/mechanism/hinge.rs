@@ -38,7 +38,7 @@ pub(super) fn hinge() -> Moving {
             "hinge-moving",
             "The mechanism of a HINGE",
             "Two leaves on a pin. The leaf of b rotates about the pin, that of a does not; a force acts on the pin.",
-            View::space(120.0, [270.0, 160.0]),
+            View::space(90.0, [270.0, 125.0]),
         );
         leaf(&mut sketch, e1a, -e2a, Ink::Solid);
         leaf(&mut sketch, b[0], e2b, Ink::Accent);
