@@ -35,8 +35,7 @@ use crate::formula::{Document, Jacobian, value, value_and_jacobian};
 use nalgebra::{SVector, Vector3};
 
 /// The page of the connection type HINGE.
-pub const DOCUMENT: Document = Document::new("HINGE")
-    .link("https://abaqus-docs.mit.edu/2017/English/SIMACAEELMRefMap/simaelm-c-connectiontypedesc-hinge.htm");
+pub const DOCUMENT: Document = Document::new("HINGE");
 
 /// The pin, and its friction.
 #[derive(Clone, Copy, Debug, PartialEq)]

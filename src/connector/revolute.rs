@@ -24,8 +24,7 @@ use crate::number::scalar::Scalar;
 use nalgebra::Vector3;
 
 /// The page of the connection type REVOLUTE.
-pub const DOCUMENT: Document = Document::new("REVOLUTE")
-    .link("https://abaqus-docs.mit.edu/2017/English/SIMACAEELMRefMap/simaelm-c-connectiontypedesc-revolute.htm");
+pub const DOCUMENT: Document = Document::new("REVOLUTE");
 
 const fn cosine(latex: &'static str, meaning: &'static str) -> Quantity {
     Quantity::new(latex, Shape::Scalar, Unit::ONE, Domain::Real, meaning)

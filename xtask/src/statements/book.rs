@@ -154,7 +154,7 @@ fn sources(documents: &[Document]) -> String {
         };
         let used = match used {
             Some((bytes, sha256)) => format!("{bytes} bytes, SHA-256 `{sha256}`"),
-            None => format!("[the page]({})", source.link),
+            None => "the public page, as it was in November 2026".to_owned(),
         };
         let anchor = source.title.to_lowercase().replace(' ', "-");
         let _ = write!(

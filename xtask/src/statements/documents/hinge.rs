@@ -11,7 +11,7 @@ pub(super) fn revolute() -> Document {
         source: revolute::DOCUMENT,
         anchor: "revolute",
         about: "A page of the same library as SLOT's: the connection type REVOLUTE, which lets node b rotate about one axis.",
-        found: "The page is titled REVOLUTE, in the connection-type library of the Abaqus 2017 documentation; it can be read at its link.",
+        found: "The page is titled REVOLUTE, in the connection-type library of the Abaqus 2017 documentation: `abaqus-docs.mit.edu/2017/English/SIMACAEELMRefMap/simaelm-c-connectiontypedesc-revolute.htm`.",
         sections: &["Description", "Friction", "Summary"],
         text: None,
         statements: vec![
@@ -68,7 +68,7 @@ pub(super) fn hinge() -> Document {
         source: hinge::DOCUMENT,
         anchor: "hinge",
         about: "A page of the same library as SLOT's: the connection type HINGE, which is JOIN and REVOLUTE together, with the friction of its pin.",
-        found: "The page is titled HINGE, in the connection-type library of the Abaqus 2017 documentation; it can be read at its link. Its equations are images.",
+        found: "The page is titled HINGE, in the connection-type library of the Abaqus 2017 documentation: `abaqus-docs.mit.edu/2017/English/SIMACAEELMRefMap/simaelm-c-connectiontypedesc-hinge.htm`. Its equations are images.",
         sections: &["Description", "Friction", "Summary"],
         text: None,
         statements: [description(), friction(), summary()].into_iter().flatten().collect(),
