@@ -1,5 +1,6 @@
 //! Elements whose types the compiler does not know.
 
+use super::formulas::expect;
 use crate::Error;
 use crate::formula::proof::{self, ProvedElement, Step};
 use crate::formula::{Field, Spec};
@@ -55,7 +56,7 @@ impl<E: ProvedElement<M, DOFS>, const M: usize, const DOFS: usize> AnyElement fo
         record_element::<E, M, DOFS>(rubs, extremes)
     }
     fn value(&self, components: &[f64], rubs: bool) -> Result<Vec<f64>, Error> {
-        super::expect(self.inputs(rubs).iter().map(Field::len).sum(), components.len())?;
+        expect(self.inputs(rubs).iter().map(Field::len).sum(), components.len())?;
         Step::<E, f64, M, DOFS>::of(components, rubs).checked_results()
     }
 }

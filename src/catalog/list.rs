@@ -1,6 +1,7 @@
 //! Every formula and every element, in the order of the book.
 
-use super::{AnyElement, AnyFormula, Erased};
+use super::elements::{AnyElement, Erased};
+use super::formulas::AnyFormula;
 use crate::connector::slider::{SliderElement, SliderElement2d};
 use crate::connector::slot::{SlotElement, SlotElement2d};
 use crate::connector::{align, hinge, join, revolute, slider, slot, translator, ujoint, universal};

@@ -21,7 +21,7 @@ pub use friction::{
     Contact, ContactMoment, Friction, HingeFriction, HingeLoads, LS, MC, MC_INT, MN, P_MOMENT, PHI_MOMENT, PinLoads,
     RA, RP,
 };
-pub use kinematics::{AngleGap, Constraint, HingeResiduals, Hinged, Stop, StopAngle};
+pub use kinematics::{AngleGap, Constraint, DOCUMENT, HingeResiduals, Hinged, Stop, StopAngle};
 
 use crate::connector::join::Join;
 use crate::connector::revolute::{Across, Angle, RelativeMotion, Rotation, Turn, TurnSince};
@@ -31,11 +31,8 @@ use crate::element::frame::Triad;
 use crate::element::{Contribution, Parameters};
 use crate::formula::error::Error;
 use crate::formula::quantity::Domain;
-use crate::formula::{Document, Jacobian, value, value_and_jacobian};
+use crate::formula::{Jacobian, value, value_and_jacobian};
 use nalgebra::{SVector, Vector3};
-
-/// The page of the connection type HINGE.
-pub const DOCUMENT: Document = Document::new("HINGE");
 
 /// The pin, and its friction.
 #[derive(Clone, Copy, Debug, PartialEq)]

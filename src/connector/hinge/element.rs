@@ -4,7 +4,7 @@
 //! λ2 e2b × e1a + λ3 e3b × e1a, whose components along e2a and e3a are the documented m2 and m3: as b rotates by α, (m2, m3) is
 //! (λ3, −λ2) rotated by α.
 
-use super::{Constraint, Friction, HingeLoads, HingeResiduals, Hinged, LS, MC_INT, RA, RP};
+use super::{Constraint, DOCUMENT, Friction, HingeLoads, HingeResiduals, Hinged, LS, MC_INT, RA, RP};
 use crate::connector::revolute::{C2, C3};
 use crate::contact::coulomb::Sliding;
 use crate::element::angle::{self, AlignLoads};
@@ -70,8 +70,7 @@ impl Element<5> for HingeElement {
     const SPEC: Spec = Spec::new(
         "hinge",
         "HINGE as an element",
-        super::DOCUMENT
-            .ours("Description", "the page names JOIN, REVOLUTE and friction; the element is derived from them"),
+        DOCUMENT.ours("Description", "the page names JOIN, REVOLUTE and friction; the element is derived from them"),
     )
     .eta_of_value(16.0)
     .normwise_of_value(8.0);

@@ -1,5 +1,6 @@
 //! The moments in the hinge that produce friction, and the friction they allow.
 
+use super::DOCUMENT;
 use crate::contact::coulomb::{Tractions, Yield};
 use crate::fields;
 use crate::formula::quantity::{CROSS_M1, Domain, F2, F3, JOIN_F1, M2, M3, MU, Quantity, Shape, Unit};
@@ -75,7 +76,7 @@ impl Formula for ContactMoment {
     const SPEC: Spec = Spec::new(
         "hinge.contact_moment",
         "Contact moment",
-        super::DOCUMENT.reconstructed("Friction", "all equations were lost; the parts are those that UJOINT's page prints of each hinge"),
+        DOCUMENT.reconstructed("Friction", "all equations were lost; the parts are those that UJOINT's page prints of each hinge"),
     )
         .equation(r"M_C = \lvert f_1\rvert R_a + R_p\sqrt{f_2^2 + f_3^2} + \beta\sqrt{m_2^2 + m_3^2},\quad \beta = \begin{cases} 2R_p/L_s & L_s > 0 \\ 0 & L_s = 0 \end{cases}")
         .eta(2.0, 3.0)
@@ -150,7 +151,7 @@ impl Formula for Friction {
     const SPEC: Spec = Spec::new(
         "hinge.friction",
         "Friction",
-        super::DOCUMENT.reconstructed(
+        DOCUMENT.reconstructed(
             "Friction",
             "all equations were lost; the normal moment is that of UJOINT's page, of one hinge",
         ),

@@ -7,9 +7,12 @@ use crate::formula::error::Error;
 use crate::formula::quantity::{
     ALPHA, D0, E1A, E2A, E2B, E3A, E3B, G_JOIN, GAP1_MAX, GAP1_MIN, THETA1_MAX, THETA1_MIN, XA, XB,
 };
-use crate::formula::{Component, Fields, Finite, Formula, Jacobian, Spec, along};
+use crate::formula::{Component, Document, Fields, Finite, Formula, Jacobian, Spec, along};
 use crate::number::scalar::Scalar;
 use nalgebra::Vector3;
+
+/// The page of the connection type HINGE.
+pub const DOCUMENT: Document = Document::new("HINGE");
 
 fields! {
     /// Positions and orientations of the nodes, and their initial values.
@@ -31,7 +34,7 @@ impl Formula for Constraint {
     const SPEC: Spec = Spec::new(
         "hinge.constraint",
         "Constraint",
-        super::DOCUMENT.ours("Description", "the page names JOIN and REVOLUTE, whose pages print their conditions"),
+        DOCUMENT.ours("Description", "the page names JOIN and REVOLUTE, whose pages print their conditions"),
     )
     .equation(
         r"g_i = \mathbf{e}_{ia}\cdot(\mathbf{x}_b-\mathbf{x}_a) - d_{0i}\ (i = 1, 2, 3),\quad g_{r2} = \mathbf{e}_{1a}\cdot\mathbf{e}_{2b} - c_2,\quad g_{r3} = \mathbf{e}_{1a}\cdot\mathbf{e}_{3b} - c_3",
@@ -82,7 +85,7 @@ fields! {
 pub struct Stop;
 
 impl Formula for Stop {
-    const SPEC: Spec = Spec::new("hinge.stop", "Stops", super::DOCUMENT.printed("Summary"))
+    const SPEC: Spec = Spec::new("hinge.stop", "Stops", DOCUMENT.printed("Summary"))
         .equation(
             r"\mathit{gap}_{1\min} = \alpha - \theta_1^{\min},\quad \mathit{gap}_{1\max} = \theta_1^{\max} - \alpha",
         )

@@ -28,7 +28,7 @@ const fn find(fields: &'static [Field], name: &str) -> Option<&'static Field> {
 }
 
 /// Every field that is renamed is one of the formula's.
-pub(super) const fn check_renamed(formula: &Use) {
+const fn check_renamed(formula: &Use) {
     let mut k = 0;
     while k < formula.renamed.len() {
         let name = formula.renamed[k].0;
@@ -103,6 +103,7 @@ const fn exists(kind: &Kind, name: &str) -> bool {
 
 /// What a formula reads is given, or written by a formula as what it is read as; and its condition is on what is given.
 const fn check_formula(kind: &Kind, formula: &Use) {
+    check_renamed(formula);
     let mut k = 0;
     while k < formula.inputs.len() {
         let field = &formula.inputs[k];

@@ -1,0 +1,336 @@
+//! Formulas whose types the compiler does not know.
+
+use crate::connector::align;
+use crate::formula::proof::{Case, Convention, Flag, Proved};
+use crate::formula::{Field, Fields, Formula, Spec, check, entries, value, value_and_jacobian};
+#[cfg(feature = "batch-by-id")]
+use crate::toolkit::batch::{self, ArrayView1, ArrayViewMut1};
+use crate::toolkit::equation::Claims;
+use crate::toolkit::graph::{self, Extremes, Graph, NotRecorded};
+#[cfg(feature = "measure")]
+use crate::toolkit::measure;
+#[cfg(feature = "measure-by-id")]
+use crate::toolkit::measure::Measurement;
+use crate::toolkit::verify::{
+    Audit, Claim, Judge, Kink, Options, Part, Printed, Shard, Sides, Subject, Trial, audit_at, audit_equation,
+    claims_about, eta_at_scale, exact, golden, kinks_as_printed, number_of, sides,
+};
+use crate::{Error, Octuple};
+use std::borrow::Cow;
+
+/// A formula whose types of inputs and outputs are erased; every [`Proved`] one is.
+pub trait AnyFormula: Send + Sync {
+    /// Its specification.
+    fn spec(&self) -> Spec;
+    /// Its inputs.
+    fn inputs(&self) -> &'static [Field];
+    /// Its outputs.
+    fn outputs(&self) -> &'static [Field];
+    /// The Rust path of the type that implements it.
+    fn path(&self) -> &'static str;
+    /// The flags of its own cases.
+    fn cases(&self) -> Vec<Flag>;
+    /// Its own laws in words.
+    fn laws(&self) -> Vec<String>;
+    /// Its kinks.
+    fn kinks(&self) -> Vec<KinkEntry>;
+    /// Its golden file, computed anew.
+    fn golden(&self) -> golden::File {
+        self.golden_with(golden::LEAST_RANDOM)
+    }
+    /// Its golden file with at least this many random cases.
+    fn golden_with(&self, least_random: usize) -> golden::File;
+    /// The cases of its golden file without their results; inputs by components in order.
+    fn golden_cases(&self) -> Vec<Case<Vec<f64>>>;
+    /// Its audit, executed anew.
+    fn audit(&self, options: &Options) -> Audit;
+    /// A part of its audit, with its share of the random points.
+    fn audit_part(&self, options: &Options, shard: Shard) -> Part;
+    /// Its audit at one point, given by components in order.
+    ///
+    /// # Errors
+    /// As [`AnyFormula::value`].
+    fn audit_at(&self, components: &[f64]) -> Result<Audit, Error>;
+    /// Points at which an equation written by somebody else can be tried.
+    fn trial(&self, options: &Options) -> Trial;
+    /// The judge of another program's results for it.
+    fn judge(&self) -> Judge;
+    /// The claims of its audit about the printed equation: about its value and about its Jacobian.
+    fn audit_equation(&self, options: &Options) -> [Claim; 2];
+    /// The claims of prose about it, checked anew.
+    fn claims(&self, claims: &Claims, options: &Options) -> Claim;
+    /// The conditions of its kinks, executed as printed.
+    fn kinks_as_printed(&self) -> Vec<(String, Printed)>;
+    /// The value of an expression about it.
+    fn number(&self, expression: &Claims) -> Octuple;
+    /// The outputs at input components given in order.
+    ///
+    /// # Errors
+    /// As [`value`]; [`Error::Components`] if the number of components is wrong.
+    fn value(&self, components: &[f64]) -> Result<Vec<f64>, Error>;
+    /// The entries of the closed-form Jacobian, output by output, each over all inputs.
+    ///
+    /// # Errors
+    /// As [`AnyFormula::value`], except for overflow, which is not checked.
+    fn jacobian(&self, components: &[f64]) -> Result<Vec<f64>, Error>;
+    /// Outputs and Jacobian computed together.
+    ///
+    /// # Errors
+    /// As [`AnyFormula::value`], and [`Error::DerivativeOverflow`].
+    fn value_and_jacobian(&self, components: &[f64]) -> Result<(Vec<f64>, Vec<f64>), Error>;
+    /// Outputs, and the Jacobian if it is in closed form: the contents of golden files and of exports.
+    ///
+    /// # Errors
+    /// As [`AnyFormula::value_and_jacobian`].
+    fn value_and_closed_jacobian(&self, components: &[f64]) -> Result<(Vec<f64>, Vec<f64>), Error> {
+        if self.spec().is_closed() {
+            self.value_and_jacobian(components)
+        } else {
+            Ok((self.value(components)?, Vec::new()))
+        }
+    }
+    /// As [`AnyFormula::value_and_jacobian`], written into slices of the exact length, without allocation.
+    ///
+    /// # Errors
+    /// As there, and [`Error::Components`] if a slice has another length; nothing is written then.
+    fn value_and_jacobian_into(&self, i: &[f64], value: &mut [f64], jacobian: &mut [f64]) -> Result<(), Error>;
+    #[cfg(feature = "batch-by-id")]
+    /// See [`batch::entries`].
+    fn batch_entries(&self) -> Vec<[usize; 2]>;
+    #[cfg(feature = "batch-by-id")]
+    /// See [`batch::value`].
+    ///
+    /// # Errors
+    /// As there.
+    fn batch_value(&self, inputs: &[ArrayView1<f64>], value: &mut [ArrayViewMut1<f64>]) -> Result<(), batch::Error>;
+    #[cfg(feature = "batch-by-id")]
+    /// See [`batch::value_and_jacobian`].
+    ///
+    /// # Errors
+    /// As there.
+    fn batch_value_and_jacobian(
+        &self,
+        inputs: &[ArrayView1<f64>],
+        value: &mut [ArrayViewMut1<f64>],
+        jacobian: &mut [ArrayViewMut1<f64>],
+    ) -> Result<(), batch::Error>;
+    /// The bounds of η of value and Jacobian, checked at this many points whose inputs are 0 or from 1/`scale` to `scale` in
+    /// size.
+    fn eta_at_scale(&self, scale: f64, options: &Options) -> Vec<Claim>;
+    /// Its graph: the value, the closed-form Jacobian, and the inputs that it rejects.
+    ///
+    /// # Errors
+    /// The reason why the formula cannot be recorded.
+    fn graph(&self) -> Result<Graph, NotRecorded>;
+    /// The graph with the given treatment of extreme numbers.
+    ///
+    /// # Errors
+    /// The reason why the formula cannot be recorded.
+    fn graph_with(&self, extremes: Extremes) -> Result<Graph, NotRecorded>;
+    #[cfg(feature = "measure-by-id")]
+    /// The errors of every method of computing it, measured anew.
+    fn errors(&self, options: &measure::Options) -> Measurement;
+    #[cfg(feature = "measure-by-id")]
+    /// Times every method of computing it, and adds the times to the measurement of the errors.
+    fn times(&self, options: &measure::Options, measurement: &mut Measurement);
+    #[cfg(feature = "measure")]
+    /// The points used for timing: all components of the first point, then of the next.
+    fn timing_inputs(&self, options: &measure::Options) -> Vec<f64>;
+}
+
+/// A kink, with the jump there.
+#[derive(Clone, Debug, PartialEq)]
+pub struct KinkEntry {
+    /// The condition, in LaTeX.
+    pub condition: String,
+    /// The convention used there.
+    pub convention: Convention,
+    /// The components of a point on the kink.
+    pub at: Vec<f64>,
+    /// The components of a direction across it.
+    pub across: Vec<f64>,
+    /// For every output component, the derivatives across the kink from below and from above.
+    pub one_sided: Vec<[f64; 2]>,
+    /// The jump at the point of the register; `None` if there is none, which an audit reports.
+    pub sides: Option<Sides>,
+}
+
+impl<F: Proved> AnyFormula for F {
+    fn spec(&self) -> Spec {
+        F::SPEC
+    }
+    fn inputs(&self) -> &'static [Field] {
+        F::Inputs::<f64>::FIELDS
+    }
+    fn outputs(&self) -> &'static [Field] {
+        F::Outputs::<f64>::FIELDS
+    }
+    fn path(&self) -> &'static str {
+        std::any::type_name::<F>()
+    }
+    fn cases(&self) -> Vec<Flag> {
+        flags(&Subject::of::<F>())
+    }
+    fn laws(&self) -> Vec<String> {
+        statements(Subject::of::<F>())
+    }
+    fn kinks(&self) -> Vec<KinkEntry> {
+        kinks(&Subject::of::<F>())
+    }
+    fn golden_with(&self, least_random: usize) -> golden::File {
+        golden::of(&subject::<F>(), least_random)
+    }
+    fn golden_cases(&self) -> Vec<Case<Vec<f64>>> {
+        golden::cases(&subject::<F>(), golden::LEAST_RANDOM)
+    }
+    fn audit(&self, options: &Options) -> Audit {
+        Part::of(&subject::<F>(), options, Shard::WHOLE).told()
+    }
+    fn eta_at_scale(&self, scale: f64, options: &Options) -> Vec<Claim> {
+        eta_at_scale::<F>(scale, options)
+    }
+    fn audit_part(&self, options: &Options, shard: Shard) -> Part {
+        Part::of(&subject::<F>(), options, shard)
+    }
+    fn audit_at(&self, components: &[f64]) -> Result<Audit, Error> {
+        audit_at::<F>(&from_components::<F>(components)?)
+    }
+    fn trial(&self, options: &Options) -> Trial {
+        Trial::of::<F>(options)
+    }
+    fn judge(&self) -> Judge {
+        Judge::about(subject::<F>())
+    }
+    fn audit_equation(&self, options: &Options) -> [Claim; 2] {
+        audit_equation::<F>(options)
+    }
+    fn claims(&self, claims: &Claims, options: &Options) -> Claim {
+        claims_about::<F>(claims, options)
+    }
+    fn kinks_as_printed(&self) -> Vec<(String, Printed)> {
+        kinks_as_printed::<F>()
+    }
+    fn number(&self, expression: &Claims) -> Octuple {
+        number_of::<F>(expression)
+    }
+    fn graph(&self) -> Result<Graph, NotRecorded> {
+        graph::recorded::<F>().clone()
+    }
+    fn graph_with(&self, extremes: Extremes) -> Result<Graph, NotRecorded> {
+        graph::record_with::<F>(extremes)
+    }
+    fn value(&self, components: &[f64]) -> Result<Vec<f64>, Error> {
+        Ok(value::<F>(&from_components::<F>(components)?)?.components())
+    }
+    fn jacobian(&self, components: &[f64]) -> Result<Vec<f64>, Error> {
+        let inputs = from_components::<F>(components)?;
+        check::<F>(&inputs)?;
+        Ok(entries(&F::jacobian(&inputs)))
+    }
+    fn value_and_jacobian(&self, components: &[f64]) -> Result<(Vec<f64>, Vec<f64>), Error> {
+        let mut value = vec![0.0; F::Outputs::<f64>::LEN];
+        let mut jacobian = vec![0.0; value.len() * F::Inputs::<f64>::LEN];
+        self.value_and_jacobian_into(components, &mut value, &mut jacobian)?;
+        Ok((value, jacobian))
+    }
+    fn value_and_jacobian_into(&self, i: &[f64], value: &mut [f64], jacobian: &mut [f64]) -> Result<(), Error> {
+        let i = from_components::<F>(i)?;
+        expect(F::Outputs::<f64>::LEN, value.len())?;
+        expect(F::Outputs::<f64>::LEN * F::Inputs::<f64>::LEN, jacobian.len())?;
+        let (out, gradients) = value_and_jacobian::<F>(&i)?;
+        write(&out, &mut value.iter_mut());
+        let places = &mut jacobian.iter_mut();
+        gradients.for_each_component(&mut |gradient| write(&gradient, places));
+        Ok(())
+    }
+    #[cfg(feature = "batch-by-id")]
+    fn batch_entries(&self) -> Vec<[usize; 2]> {
+        batch::entries::<F>()
+    }
+    #[cfg(feature = "batch-by-id")]
+    fn batch_value(&self, inputs: &[ArrayView1<f64>], value: &mut [ArrayViewMut1<f64>]) -> Result<(), batch::Error> {
+        batch::value::<F>(inputs, value)
+    }
+    #[cfg(feature = "batch-by-id")]
+    fn batch_value_and_jacobian(
+        &self,
+        inputs: &[ArrayView1<f64>],
+        value: &mut [ArrayViewMut1<f64>],
+        jacobian: &mut [ArrayViewMut1<f64>],
+    ) -> Result<(), batch::Error> {
+        batch::value_and_jacobian::<F>(inputs, value, jacobian)
+    }
+    #[cfg(feature = "measure-by-id")]
+    fn errors(&self, options: &measure::Options) -> Measurement {
+        measure::errors::<F>(options)
+    }
+    #[cfg(feature = "measure-by-id")]
+    fn times(&self, options: &measure::Options, measurement: &mut Measurement) {
+        measure::times::<F>(options, measurement);
+    }
+    #[cfg(feature = "measure")]
+    fn timing_inputs(&self, options: &measure::Options) -> Vec<f64> {
+        options.timing_inputs::<F>().concat()
+    }
+}
+
+/// A formula without its types, whose graph is cached: it depends only on the type of the formula.
+fn subject<F: Proved>() -> Subject {
+    let mut subject = Subject::of::<F>();
+    subject.record = || Cow::Borrowed(graph::recorded::<F>());
+    subject
+}
+
+fn flags(subject: &Subject) -> Vec<Flag> {
+    (subject.cases)().iter().map(|case| case.flag).collect()
+}
+
+fn statements(subject: Subject) -> Vec<String> {
+    subject.laws.into_iter().map(|law| law.statement).collect()
+}
+
+fn kinks(subject: &Subject) -> Vec<KinkEntry> {
+    let entry = |kink: &Kink| KinkEntry {
+        condition: kink.condition.clone(),
+        convention: kink.convention,
+        at: kink.at.clone(),
+        across: kink.across.clone(),
+        one_sided: one_sided(subject, kink),
+        sides: sides(subject, kink),
+    };
+    subject.kinks.iter().map(entry).collect()
+}
+
+fn from_components<F: Formula>(components: &[f64]) -> Result<F::Inputs<f64>, Error> {
+    let (found, expected) = (components.len(), F::Inputs::<f64>::LEN);
+    F::Inputs::from_slice(components).ok_or(Error::Components { found, expected })
+}
+
+/// Rejects a wrong number of components.
+pub(super) fn expect(expected: usize, found: usize) -> Result<(), Error> {
+    if found == expected { Ok(()) } else { Err(Error::Components { found, expected }) }
+}
+
+/// Writes the components in order, one after the other; their number was checked before.
+#[inline]
+fn write<'a>(fields: &impl Fields<f64>, places: &mut impl Iterator<Item = &'a mut f64>) {
+    fields.for_each_component(&mut |x| *places.next().expect("a place for every component") = x);
+}
+
+/// The derivatives of every output across a kink, from below and from above: one-sided differences in 237 bits, with a step so
+/// short that nothing else is close.
+fn one_sided(subject: &Subject, kink: &Kink) -> Vec<[f64; 2]> {
+    let (at, across) = (exact(&kink.at), exact(&kink.across));
+    let step = Octuple::from(1e-40);
+    let value = |h: Octuple| {
+        let moved: Vec<_> = at.iter().zip(&across).map(|(&x, &direction)| x + direction * h).collect();
+        (subject.exact_value)(&moved)
+    };
+    let (below, here, above) = (value(-step), value(step * 0.0), value(step));
+    let less_turns = |difference: Octuple| match kink.convention {
+        Convention::Cut => align::wrapped(difference),
+        _ => difference,
+    };
+    let sides = |k: usize| [here[k] - below[k], above[k] - here[k]];
+    (0..here.len()).map(|k| sides(k).map(|d| (less_turns(d) / step).to_f64())).collect()
+}
