@@ -10,7 +10,7 @@ use jointproof::formula::{Component, Document, Finite, Formula, Jacobian, Spec};
 use jointproof::number::scalar::{Scalar, abs, direction, norm, sign};
 use jointproof::toolkit::verify;
 use jointproof::toolkit::verify::golden::Record;
-use jointproof::toolkit::verify::{Looked, Options, Rank, Sides, audit};
+use jointproof::toolkit::verify::{Examination, Options, Rank, Sides, audit};
 use rayon::prelude::*;
 use std::collections::HashSet;
 use std::f64::consts::TAU;
@@ -25,7 +25,7 @@ fn every_formula_of_the_catalog_passes() {
         let audit = formula.audit(&Options { samples: 25, seed: 2 });
         assert!(audit.passed(), "{audit:#?}");
         // No registered kink is missed: the graph alone leads to each.
-        if let Some(Looked::Graph { search, .. }) = audit.looked {
+        if let Some(Examination::Graph { search, .. }) = audit.examination {
             let lost = formula.kinks().into_iter().find(|kink| !search.found.contains(&kink.condition));
             assert!(lost.is_none(), "{}: {lost:?} is not among {:?}", audit.formula, search.found);
         }
@@ -61,8 +61,8 @@ fn identifiers_are_unique_and_families_are_rooms() {
         assert!(seen.insert(id), "two formulas are named {id}");
         let family = id.split('.').next().unwrap();
         // Blocks have their own module names in `element`: those of JOIN are in `element::line`.
-        let is_room = |room: &str| room == family || room == "element";
-        assert!(formula.path().split("::").any(is_room), "{id} is implemented by {}", formula.path());
+        let is_module = |module: &str| module == family || module == "element";
+        assert!(formula.path().split("::").any(is_module), "{id} is implemented by {}", formula.path());
     }
 }
 

@@ -164,8 +164,8 @@ fn rows_are_together_only_where_every_extreme_one_is_told() {
     fn words<P: Planted>() -> &'static str {
         by_rows_in_words(&record_with::<Of<P>>(Extremes::Nan).unwrap())
     }
-    let told = [words::<IsIt>(), words::<ChoosesBetweenMultiples>(), words::<ChoosesItWhereNot>()];
-    assert_eq!(told, [" guarded\n"; 3]);
+    let described = [words::<IsIt>(), words::<ChoosesBetweenMultiples>(), words::<ChoosesItWhereNot>()];
+    assert_eq!(described, [" guarded\n"; 3]);
     assert_eq!([words::<ChoosesItWhereSo>(), words::<HidesIt>(), words::<RefusesByIt>()], ["\n"; 3]);
 }
 
@@ -257,7 +257,7 @@ fn what_is_not_recorded_says_why() {
     assert_eq!(record::<Of<CallsTheUnknown>>().unwrap_err(), NotRecorded::Function("cbrt"));
     assert_eq!(record::<Of<AsksWhetherPositive>>().unwrap_err(), NotRecorded::Function("is_sign_positive"));
     assert_eq!(record::<Of<AsksWhetherNegative>>().unwrap_err(), NotRecorded::Function("is_sign_negative"));
-    assert_eq!(record::<Of<HasManyWays>>().unwrap_err(), NotRecorded::Ways(65_536));
+    assert_eq!(record::<Of<HasManyWays>>().unwrap_err(), NotRecorded::Combinations(65_536));
 }
 
 /// Rejections beyond the domains of single inputs are numbered by reason; the values in these are not known.

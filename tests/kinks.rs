@@ -6,7 +6,7 @@ use jointproof::formula::proof::{Case, Convention, Kink, Proved};
 use jointproof::formula::quantity::{F2, F3, FC};
 use jointproof::formula::{Component, Document, Formula, Jacobian, Spec};
 use jointproof::number::scalar::{Scalar, abs, atan2, direction, norm, sign};
-use jointproof::toolkit::verify::{Audit, Looked, Options, Printed, audit, kink, kinks_as_printed};
+use jointproof::toolkit::verify::{Audit, Examination, Options, Printed, audit, kink, kinks_as_printed};
 use jointproof::{Error, fields};
 
 fields! { struct Inputs<T> { f2: T = F2, f3: T = F3 } }
@@ -73,7 +73,7 @@ fn assert_demanded<P: Plant>(place: &str, is_there: fn(f64, f64) -> bool) {
     assert_ne!(worst.found, worst.expected, "{place}: {worst:?}");
     let with = audited::<P, true>();
     assert!(with.kinks.held(), "{place}: {:#?}", with.kinks);
-    let Some(Looked::Graph { search, .. }) = &with.looked else { panic!("it is recorded") };
+    let Some(Examination::Graph { search, .. }) = &with.examination else { panic!("it is recorded") };
     assert!(!search.found.is_empty(), "{place}: {search:?}");
     assert!(
         with.register.as_ref().is_some_and(jointproof::toolkit::verify::Claim::held),
@@ -249,7 +249,9 @@ fn a_step_of_a_thousandth_in_a_slope_is_demanded() {
 #[test]
 fn the_cut_of_an_angle_is_demanded_and_a_refused_origin_is_not() {
     assert_demanded::<Angle>("where f2 = 0, f3 < 0", |f2, f3| f2 == 0.0 && f3 < 0.0);
-    let Some(Looked::Graph { search, .. }) = audited::<Angle, true>().looked else { panic!("it is recorded") };
+    let Some(Examination::Graph { search, .. }) = audited::<Angle, true>().examination else {
+        panic!("it is recorded")
+    };
     assert_eq!(search.not_reached, ["f2 = f3 = 0"]);
 }
 
@@ -262,7 +264,7 @@ fn an_origin_is_demanded_through_which_every_line_is_straight() {
 fn a_comparison_that_changes_nothing_is_shown_smooth() {
     let audit = audited::<Technical, false>();
     assert!(audit.kinks.held(), "{:#?}", audit.kinks);
-    let Some(Looked::Graph { search, coverage }) = audit.looked else { panic!("it is recorded") };
+    let Some(Examination::Graph { search, coverage }) = audit.examination else { panic!("it is recorded") };
     assert_eq!((search.candidates, search.smooth, search.registered), (1, 1, 0));
     assert_eq!((coverage.comparisons, coverage.asked), (1, 21));
     assert!(coverage.never.is_empty(), "{coverage:?}");
@@ -295,13 +297,13 @@ impl Plant for Impossible {
 
 #[test]
 fn a_side_that_no_point_takes_is_searched_for_and_named_where_nothing_reaches_it() {
-    let told = |audit: Audit| match audit.looked {
-        Some(Looked::Graph { coverage, .. }) => (audit.searched_points, coverage.never),
+    let searched = |audit: Audit| match audit.examination {
+        Some(Examination::Graph { coverage, .. }) => (audit.searched_points, coverage.never),
         _ => panic!("it is recorded"),
     };
-    assert_eq!(told(audited::<Apex, true>()), (0, Vec::new()));
-    assert_eq!(told(audited::<Lines, false>()), (1, Vec::new()));
-    assert_eq!(told(audited::<Impossible, false>()), (0, vec!["f2 f2 + f3 f3 < 0: never so".to_string()]));
+    assert_eq!(searched(audited::<Apex, true>()), (0, Vec::new()));
+    assert_eq!(searched(audited::<Lines, false>()), (1, Vec::new()));
+    assert_eq!(searched(audited::<Impossible, false>()), (0, vec!["f2 f2 + f3 f3 < 0: never so".to_string()]));
 }
 
 /// f2 + f3, which has no comparison.

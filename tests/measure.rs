@@ -1,7 +1,7 @@
 //! Errors of methods that are wrong by a known amount, at random and at hard points, and the accuracy of differences.
 
 use jointproof::fields;
-use jointproof::formula::proof::{Case, Kink, Proved, Way};
+use jointproof::formula::proof::{Case, Kink, Method, Proved};
 use jointproof::formula::quantity::{Domain, Quantity, Unit};
 use jointproof::formula::{Component, Document, Fields, Formula, Jacobian, Spec};
 use jointproof::number::scalar::Scalar;
@@ -60,12 +60,12 @@ impl Proved for Cube {
     fn kinks() -> Vec<Kink<Self>> {
         vec![Kink::<Self>::switched_off(Inputs { a: 1.0, b: 2.0 }, |i| [i.a])]
     }
-    fn ways() -> Vec<Way> {
+    fn methods() -> Vec<Method> {
         vec![
-            Way::new::<Self>("off", "off everywhere", |i| off(i, 0.0), |i| off(i, 0.0)),
-            Way::new::<Self>("off-far", "off at the hard case", |i| off(i, 1e6), |i| off(i, 1e6)),
-            Way::new::<Self>("nan", "none at the hard case", nan_if_hard, nan_if_hard),
-            Way::of_value::<Self>("value", "the value alone", |i| off(i, 0.0)),
+            Method::new::<Self>("off", "off everywhere", |i| off(i, 0.0), |i| off(i, 0.0)),
+            Method::new::<Self>("off-far", "off at the hard case", |i| off(i, 1e6), |i| off(i, 1e6)),
+            Method::new::<Self>("nan", "none at the hard case", nan_if_hard, nan_if_hard),
+            Method::of_value::<Self>("value", "the value alone", |i| off(i, 0.0)),
         ]
     }
 }
@@ -76,8 +76,9 @@ static MEASURED: LazyLock<Measurement> = LazyLock::new(|| errors::<Cube>(&OPTION
 
 /// Errors at random and at hard points, of the value and of the Jacobian.
 fn errors_of(id: &str) -> [Option<[Errors; 2]>; 2] {
-    let way = MEASURED.way(id).unwrap_or_else(|| panic!("there is no {id}"));
-    [&way.value, &way.jacobian].map(|figures| figures.as_ref().map(|figures| [figures.random, figures.hard.unwrap()]))
+    let method = MEASURED.method(id).unwrap_or_else(|| panic!("there is no {id}"));
+    [&method.value, &method.jacobian]
+        .map(|figures| figures.as_ref().map(|figures| [figures.random, figures.hard.unwrap()]))
 }
 
 fn assert_near(found: f64, expected: f64, context: &str) {
@@ -154,10 +155,10 @@ fn differences_have_their_best_step() {
         assert_eq!((error, curve.errors.len()), (least, 29));
         // For a polynomial of third degree the fourth-order scheme has no truncation error.
         assert!(between.contains(&best) || curve.scheme == Scheme::Fourth, "{:?}: {best:?}", curve.scheme);
-        let way = MEASURED.way(curve.scheme.id()).unwrap();
-        assert_eq!(way.step, Some(best));
-        assert_eq!(way.jacobian.as_ref().unwrap().random.relative, error);
-        assert!(way.value.is_none());
+        let method = MEASURED.method(curve.scheme.id()).unwrap();
+        assert_eq!(method.step, Some(best));
+        assert_eq!(method.jacobian.as_ref().unwrap().random.relative, error);
+        assert!(method.value.is_none());
         reached.push(least);
     }
     assert!(reached.is_sorted_by(|a, b| *a > 20.0 * b), "{reached:?}");
@@ -183,7 +184,7 @@ fn time_is_taken_at_the_first_of_the_points_at_which_errors_are_found() {
 fn a_measurement_has_times_beside_errors() {
     let few = Options { random_points: 5, timing_points: 4, rounds: 3, ..Options::quick() };
     let whole = measure::<Cube>(&few);
-    let closed = whole.way("closed").unwrap();
+    let closed = whole.method("closed").unwrap();
     let figures = closed.value.as_ref().unwrap();
     assert!(figures.time.is_some_and(|time| time.median > 0.0) && figures.random.eta.max < 4.0, "{figures:?}");
     assert!(whole.copy.is_some() && whole.columns.is_some());

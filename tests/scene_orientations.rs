@@ -147,7 +147,7 @@ fn in_the_plane_an_angle_turns_to_the_left() {
 #[test]
 fn some_of_thousands_of_nodes_move_and_turn_on() {
     const COUNT: usize = 4200;
-    const LOOKED_AT: [usize; 8] = [0, 1, 2, 4095, 4096, 4097, 4198, 4199];
+    const EXAMINED: [usize; 8] = [0, 1, 2, 4095, 4096, 4097, 4198, 4199];
     let list = |of: &dyn Fn(usize) -> String| (0..COUNT).map(of).collect::<Vec<_>>().join(", ");
     let nodes = list(&|k| format!(r#""n{k}": {{"at": [0, {k}, 0]}}"#));
     let element = |k| {
@@ -155,7 +155,7 @@ fn some_of_thousands_of_nodes_move_and_turn_on() {
             r#""s{k}": {{"kind": "slot", "nodes": ["a", "n{k}"]}}, "t{k}": {{"kind": "align", "nodes": ["a", "n{k}"]}}"#
         )
     };
-    let elements = LOOKED_AT.map(element).join(", ");
+    let elements = EXAMINED.map(element).join(", ");
     let motion = |k: usize, u: f64, ur: f64| format!(r#""n{k}": {{"u": [{u:?}, 0, 0], "ur": [0, 0, {ur:?}]}}"#);
     let first = |k: usize| f64::from(u32::try_from(k).unwrap()) / 8192.0;
     let again = [(1, 1), (1, 4096), (1, 4199), (2, 4097)];
@@ -173,7 +173,7 @@ fn some_of_thousands_of_nodes_move_and_turn_on() {
     ));
     let results =
         rayon::ThreadPoolBuilder::new().num_threads(2).build().unwrap().install(|| Results::of(&scene).unwrap());
-    for (k, state) in LOOKED_AT.into_iter().flat_map(|k| [0, 1, 2].map(|state| (k, state))) {
+    for (k, state) in EXAMINED.into_iter().flat_map(|k| [0, 1, 2].map(|state| (k, state))) {
         let moved = again.iter().any(|&(since, node)| node == k && since <= state);
         let (u, ur) = if moved { (7.0, -0.25) } else { (first(k), first(k)) };
         let of = |element: char, output| results.get(&format!("{element}{k}"), output, state).unwrap()[0];

@@ -54,10 +54,10 @@ fn an_element_of_which_nothing_is_wanted_is_not_looked_for() {
 #[test]
 fn far_segments_are_not_looked_at() {
     let results = Results::of(&scene(THREAD)).unwrap();
-    let (formula, looked_at) = results.counts[0];
+    let (formula, examined) = results.counts[0];
     assert_eq!(formula, "slide_line.closest_smoothed_linear");
     let every = 9 * 5 * results.times.len();
-    assert!(looked_at * 2 < every, "{looked_at} of {every}");
+    assert!(examined * 2 < every, "{examined} of {every}");
 }
 
 #[test]

@@ -184,7 +184,7 @@ impl<F: Proved> AnyFormula for F {
         golden::cases(&subject::<F>(), golden::LEAST_RANDOM)
     }
     fn audit(&self, options: &Options) -> Audit {
-        Part::of(&subject::<F>(), options, Shard::WHOLE).told()
+        Part::of(&subject::<F>(), options, Shard::WHOLE).complete()
     }
     fn eta_at_scale(&self, scale: f64, options: &Options) -> Vec<Claim> {
         eta_at_scale::<F>(scale, options)

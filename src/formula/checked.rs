@@ -23,7 +23,7 @@ use crate::formula::error::Error;
 /// ```
 #[inline]
 pub fn value<F: Formula>(i: &F::Inputs<f64>) -> Result<F::Outputs<f64>, Error> {
-    if is_plain::<F>(i) { F::try_eval(i) } else { value_looked_at::<F>(i) }
+    if is_plain::<F>(i) { F::try_eval(i) } else { value_checked::<F>(i) }
 }
 
 /// Whether the inputs are in their domains and guarantee that nothing overflows.
@@ -33,7 +33,7 @@ pub(crate) fn is_plain<F: Formula>(i: &F::Inputs<f64>) -> bool {
 }
 
 #[inline(never)]
-fn value_looked_at<F: Formula>(i: &F::Inputs<f64>) -> Result<F::Outputs<f64>, Error> {
+fn value_checked<F: Formula>(i: &F::Inputs<f64>) -> Result<F::Outputs<f64>, Error> {
     if !are_allowed(i) {
         return Err(not_allowed(i));
     }
@@ -47,11 +47,11 @@ fn value_looked_at<F: Formula>(i: &F::Inputs<f64>) -> Result<F::Outputs<f64>, Er
 /// As for [`value`], or an error naming the output with a derivative that overflowed.
 #[inline]
 pub fn value_and_jacobian<F: Formula>(i: &F::Inputs<f64>) -> Result<ValueAndJacobian<F, f64>, Error> {
-    if is_plain::<F>(i) { F::try_linearized(i) } else { both_looked_at::<F>(i) }
+    if is_plain::<F>(i) { F::try_linearized(i) } else { both_checked::<F>(i) }
 }
 
 #[inline(never)]
-fn both_looked_at<F: Formula>(i: &F::Inputs<f64>) -> Result<ValueAndJacobian<F, f64>, Error> {
+fn both_checked<F: Formula>(i: &F::Inputs<f64>) -> Result<ValueAndJacobian<F, f64>, Error> {
     if !are_allowed(i) {
         return Err(not_allowed(i));
     }

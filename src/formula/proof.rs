@@ -9,7 +9,7 @@ mod element;
 pub mod hard;
 mod kink;
 pub mod law;
-pub(crate) mod way;
+pub(crate) mod method;
 
 pub use case::{Case, Flag};
 pub(crate) use element::inputs;
@@ -17,7 +17,7 @@ pub use element::{ProvedElement, Rubbed, Step};
 pub use hard::Hard;
 pub use kink::{Condition, Convention, Kink};
 pub use law::{Equation, Law};
-pub use way::Way;
+pub use method::Method;
 
 use crate::formula::Formula;
 pub use crate::formula::{Jet, value_and_jacobian_by_ad};
@@ -52,7 +52,7 @@ pub trait Proved: Formula {
 
     /// Alternative computations of the value, as in textbooks or as the document words it, measured alongside
     /// [`eval`](Formula::eval).
-    fn ways() -> Vec<Way> {
+    fn methods() -> Vec<Method> {
         Vec::new()
     }
 }

@@ -6,7 +6,7 @@ use jointproof::formula::proof::{Case, Kink, Law, Proved};
 use jointproof::formula::quantity::{Domain, Quantity, Shape, Unit};
 use jointproof::formula::{Component, Document, Finite, Formula, Jacobian, Spec, ValueAndJacobian};
 use jointproof::number::scalar::{Scalar, abs, constant, direction, leaf, norm, sign};
-use jointproof::toolkit::verify::{Audit, Claim, Deviation, Looked, Options, Sampler, audit, audit_at};
+use jointproof::toolkit::verify::{Audit, Claim, Deviation, Examination, Options, Sampler, audit, audit_at};
 use jointproof::{Octuple, fields};
 use nalgebra::Vector3;
 use std::cell::Cell;
@@ -293,7 +293,7 @@ fn points_on_a_kink_and_beside_it_are_looked_at() {
 #[test]
 fn a_corner_at_a_named_point_is_found_where_no_graph_tells() {
     let audit = with(Fault::Corner, 0.5);
-    assert!(matches!(audit.looked, Some(Looked::NamedPoints { .. })), "{:?}", audit.looked);
+    assert!(matches!(audit.examination, Some(Examination::NamedPoints { .. })), "{:?}", audit.examination);
     let worst = audit.kinks.worst.as_ref().expect("it was compared");
     assert!(audit.kinks.failures > 0 && !audit.passed());
     assert_eq!((worst.entry.as_str(), worst.point.as_str()), ("∂p/∂s", "three"));

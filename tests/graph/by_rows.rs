@@ -33,17 +33,17 @@ fn how_by_rows(graph: &Graph, results: &[Node]) -> Rows {
     }
     let asked = needed.iter().filter(|&&node| is_question(graph.op(node))).flat_map(|&node| graph.op(node).operands());
     let mut asked = asked.filter(|node| extreme.contains(node)).collect::<BTreeSet<_>>().into_iter();
-    if asked.all(|node| is_told(graph, results, &needed, &extreme, node)) { Rows::Guarded } else { Rows::Apart }
+    if asked.all(|node| is_detected(graph, results, &needed, &extreme, node)) { Rows::Guarded } else { Rows::Apart }
 }
 
 /// Whether a result is NaN if this number is, or if those are that it may be NaN by. Results that are made of a number by
 /// arithmetic are NaN anyway; what is chosen by it may not be.
-fn is_told(graph: &Graph, results: &[Node], needed: &[Node], extreme: &BTreeSet<Node>, nan: Node) -> bool {
+fn is_detected(graph: &Graph, results: &[Node], needed: &[Node], extreme: &BTreeSet<Node>, nan: Node) -> bool {
     let known = known_if_nan(graph, needed, nan);
     let is_told_by_others = || {
         let operands = graph.op(nan).operands();
         let mut operands = operands.iter().filter(|node| extreme.contains(node));
-        !is_extreme_itself(graph, nan) && operands.all(|&node| is_told(graph, results, needed, extreme, node))
+        !is_extreme_itself(graph, nan) && operands.all(|&node| is_detected(graph, results, needed, extreme, node))
     };
     results.iter().any(|result| known[result].is_some_and(f64::is_nan)) || is_told_by_others()
 }

@@ -1,7 +1,7 @@
 //! `cargo xtask`: the commands of the kit, and those specific to this project: scenes, tidiness, statements of the
 //! documents, and generated content of the book.
 
-mod exhibits;
+mod extras;
 mod figures;
 mod museum;
 mod scene;
@@ -31,8 +31,8 @@ fn ours(project: Project) -> Project {
         .with_golden("scenes", scene::golden)
         .with_check("statements", statements::verify)
         .with_reach(tidy::reach)
-        .with_exhibits(exhibits::all)
-        .with_debt("an independent implementation", has_oracle, "`@formula(…)` in tests/python/oracle")
+        .with_extras(extras::all)
+        .with_requirement("an independent implementation", has_oracle, "`@formula(…)` in tests/python/oracle")
 }
 
 /// Whether this program runs directly rather than through cargo.

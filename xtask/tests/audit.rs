@@ -140,7 +140,7 @@ fn markdown_says_what_changed_against_the_committed_golden_file() {
         .prints(&format!("- case {}, out.fc: committed 1000000000.0, computed {right} (", file.cases[0].id));
     std::fs::remove_file(path).unwrap();
     let ran = bench.run(&audit).exits(1).prints("There is no committed golden file to compare with: No such file");
-    ran.prints(&format!("{ID} owes\n    its golden file: cargo xtask golden --filter {ID}\n"));
+    ran.prints(&format!("{ID} lacks\n    its golden file: cargo xtask golden --filter {ID}\n"));
 }
 
 #[test]

@@ -35,7 +35,7 @@ fn times_of_c_and_of_rust_are_printed_with_their_ratio() {
     let mut report = reference();
     for measured in report["formulas"].as_array_mut().unwrap() {
         let time = RUST.iter().find(|(id, _)| measured["formula"] == *id).map_or(1e6, |(_, time)| *time);
-        let ways = measured["ways"].as_array_mut().unwrap().iter_mut();
+        let ways = measured["methods"].as_array_mut().unwrap().iter_mut();
         for way in ways.filter(|way| way["jacobian"]["time"].is_object()) {
             // The other methods take longer.
             way["jacobian"]["time"]["median"] = if way["id"] == "checked" { time } else { 1e6 }.into();

@@ -26,7 +26,7 @@ fn main() -> ExitCode {
         only_the_unfiltered_writing_form_removes_a_file_without_a_formula();
         an_audit_fails_in_every_format();
         evidence_counts_for_the_version_that_it_is_of();
-        what_is_owed_closes_every_gate();
+        what_is_missing_closes_every_gate();
         what_this_program_found_is_not_audited_again();
     }
     ExitCode::SUCCESS
@@ -41,7 +41,7 @@ fn project() -> Project {
     Project::new("gates", env!("CARGO_MANIFEST_DIR"), &[&gated::Square])
         .with_golden("beside", beside)
         .with_check("own", |_| Ok((!is_planted("own"), "1 check".into())))
-        .with_debt("a poem", |_, _| !is_planted("owed"), "in `{id}.txt`")
+        .with_requirement("a poem", |_, _| !is_planted("missing"), "in `{id}.txt`")
 }
 
 /// A folder in which all is well until a fault is planted.
@@ -87,7 +87,7 @@ impl Gate {
         let ran = self.run(fault, &["verify", "--samples", "20"]);
         let lines: Vec<_> = ran.stdout.lines().filter_map(|line| line.split_once(' ')).collect();
         let steps: Vec<_> = lines.iter().filter_map(|(_, rest)| rest.split_whitespace().next()).collect();
-        assert_eq!(steps, ["owed", "golden", "beside", "audit", "own", "prose", "book"], "{ran:#?}");
+        assert_eq!(steps, ["missing", "golden", "beside", "audit", "own", "prose", "book"], "{ran:#?}");
         let off =
             lines.iter().zip(steps).filter(|((mark, _), _)| *mark == "off").map(|(_, step)| step.into()).collect();
         (off, ran)
@@ -107,7 +107,7 @@ const FAULTS: [Planted; 8] = {
     }
     [
         ("", |_| (), "", [false, false]),
-        ("owed", |_| (), "a poem: in `gate.square.txt`", [true, true]),
+        ("missing", |_| (), "a poem: in `gate.square.txt`", [true, true]),
         ("golden", golden, "case three out.area  (1 ulp apart)", [true, false]),
         ("beside", |_| (), "golden/more/beside.txt differs", [true, false]),
         ("audit", |_| (), "FAILED", [false, true]),
@@ -215,10 +215,10 @@ fn evidence_counts_for_the_version_that_it_is_of() {
     assert!(!entry().contains(checked));
 }
 
-fn what_is_owed_closes_every_gate() {
+fn what_is_missing_closes_every_gate() {
     let gate = Gate::new();
-    gate.run("owed", &["golden"]).exits(1).prints("gate.square owes");
-    gate.run("owed", &["audit", "--samples", "3", "--format", "json"]).exits(1).says("gate.square owes");
+    gate.run("missing", &["golden"]).exits(1).prints("gate.square lacks");
+    gate.run("missing", &["audit", "--samples", "3", "--format", "json"]).exits(1).says("gate.square lacks");
 }
 
 fn what_this_program_found_is_not_audited_again() {

@@ -58,7 +58,7 @@ fn the_report_keeps_to_its_schema() {
     let errors: Vec<_> = validator.iter_errors(&report()).map(|error| error.to_string()).collect();
     assert_eq!(errors, [""; 0]);
     let mut other = report();
-    other["formulas"][0]["ways"][0]["title"] = Value::Null;
+    other["formulas"][0]["methods"][0]["title"] = Value::Null;
     assert!(!validator.is_valid(&other), "a way without a title is accepted");
     let mut other = report();
     other["author"] = "me".into();
@@ -75,30 +75,30 @@ fn every_formula_of_the_catalog_is_in_it_with_finite_figures() {
         assert_eq!(formula["random_points"], 2, "{id}");
         assert_figures(&formula["copy"], &format!("{id} copy"));
         assert_eq!(formula["curves"].as_array().unwrap().len(), 3, "{id}");
-        let ways = formula["ways"].as_array().unwrap();
+        let methods = formula["methods"].as_array().unwrap();
         for expected in ["closed", "checked", "single", "ad", "forward", "central", "fourth", "octuple", "octuple-ad"] {
-            let way = ways.iter().find(|way| way["id"] == expected);
-            let way = way.unwrap_or_else(|| panic!("{id} has no way {expected}"));
+            let method = methods.iter().find(|method| method["id"] == expected);
+            let method = method.unwrap_or_else(|| panic!("{id} has no way {expected}"));
             let is_automatic = !jointproof::catalog::find(id.as_str().unwrap()).unwrap().spec().is_closed();
             if is_automatic && ["closed", "checked", "single", "octuple"].contains(&expected) {
-                assert!(way["jacobian"].is_null(), "{id} {expected}");
+                assert!(method["jacobian"].is_null(), "{id} {expected}");
                 continue;
             }
-            assert_figures(&way["jacobian"], &format!("{id} {expected}"));
-            assert_figures(&way["jacobian"]["ratio"], &format!("{id} {expected}"));
+            assert_figures(&method["jacobian"], &format!("{id} {expected}"));
+            assert_figures(&method["jacobian"]["ratio"], &format!("{id} {expected}"));
         }
-        for way in ways.iter().filter(|way| !way["value"].is_null()) {
-            assert_figures(&way["value"], &format!("{id} {way}"));
+        for method in methods.iter().filter(|method| !method["value"].is_null()) {
+            assert_figures(&method["value"], &format!("{id} {method}"));
         }
         let hard_points = formula["hard_points"].as_u64().map(|count| usize::try_from(count).unwrap());
-        if ways[0]["jacobian"].is_null() {
+        if methods[0]["jacobian"].is_null() {
             continue;
         }
-        for way in &ways[..2] {
-            let times = way["jacobian"]["hard_times"].as_array().map(Vec::len);
+        for method in &methods[..2] {
+            let times = method["jacobian"]["hard_times"].as_array().map(Vec::len);
             assert_eq!(times, hard_points, "{id}: the closed form, checked or not, is timed at every hard point");
         }
-        let closed = &ways[0]["jacobian"]["random"];
+        let closed = &methods[0]["jacobian"]["random"];
         assert_eq!(closed["not_finite"], 0, "{id}: the closed form fails at a random point");
     }
 }
@@ -130,7 +130,7 @@ fn tampered(path: &Path, tamper: impl Fn(&mut Value)) {
 fn a_planted_loss_of_accuracy_is_named_and_exits_1() {
     let bench = Bench::new();
     let old = bench.path("old.json");
-    tampered(&old, |formula| formula["ways"][0]["jacobian"]["random"]["eta"][2] = 0.01.into());
+    tampered(&old, |formula| formula["methods"][0]["jacobian"]["random"]["eta"][2] = 0.01.into());
     let ran = quick(&bench, "slot.contact_force", &["--against", old.to_str().unwrap()]).exits(1);
     let ran = ran.prints("slot.contact_force closed Jacobian, random points").prints("less accurate");
     let count = ran.stdout.matches("less accurate slot").count();
@@ -147,7 +147,7 @@ fn a_planted_slowdown_is_named_and_exits_1() {
     let old = bench.path("old.json");
     tampered(&old, |formula| {
         for figure in ["median", "low", "high"] {
-            let time = &mut formula["ways"][0]["jacobian"]["time"][figure];
+            let time = &mut formula["methods"][0]["jacobian"]["time"][figure];
             *time = (time.as_f64().unwrap() / 1000.0).into();
         }
     });
@@ -209,8 +209,8 @@ fn every_format_shows_every_way() {
     let bench = Bench::new();
     for format in ["text", "markdown"] {
         let ran = quick(&bench, "slot.contact_force", &["--format", format]).exits(0);
-        for way in ["closed form", "automatic differentiation", "central differences", "plain square root"] {
-            assert!(ran.stdout.contains(way), "{format} has no {way}: {ran:#?}");
+        for method in ["closed form", "automatic differentiation", "central differences", "plain square root"] {
+            assert!(ran.stdout.contains(method), "{format} has no {method}: {ran:#?}");
         }
     }
 }

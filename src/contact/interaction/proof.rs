@@ -4,7 +4,7 @@ use super::{
     ContactPressure, Damping, DampingContact, ExponentialContact, LinearContact, PressureExponential, PressureLinear,
 };
 use crate::formula::Formula;
-use crate::formula::proof::{Case, Convention, Kink, Law, Proved, Way, law};
+use crate::formula::proof::{Case, Convention, Kink, Law, Method, Proved, law};
 use crate::number::scalar::{Scalar, e_minus_one};
 
 impl Proved for PressureLinear {
@@ -34,8 +34,8 @@ impl Proved for PressureLinear {
 }
 
 impl Proved for PressureExponential {
-    fn ways() -> Vec<Way> {
-        vec![Way::new::<Self>("plain", "exponential function minus one", plain_exponential, plain_exponential)]
+    fn methods() -> Vec<Method> {
+        vec![Method::new::<Self>("plain", "exponential function minus one", plain_exponential, plain_exponential)]
     }
 
     fn cases() -> Vec<Case<ExponentialContact<f64>>> {

@@ -211,7 +211,7 @@ impl<D: Scalar> PlacedSurface<'_, D> {
                 };
                 let formula = line.slip_formula();
                 tally.add(formula, PlacedLine::passed(&from, &closest.foot));
-                slip = self.line.way(&from, &closest.foot);
+                slip = self.line.path_length(&from, &closest.foot);
                 state.foot = Some(closest.foot);
                 state.e12 = finite("e12", state.e12 + slip).map_err(fail(formula))?;
             }

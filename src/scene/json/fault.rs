@@ -44,10 +44,10 @@ impl Faults {
     }
 
     /// Whether the next fault will be listed; it is counted if not.
-    pub(in crate::scene) fn room(&mut self) -> bool {
-        let room = self.list.len() < LISTED;
-        self.unlisted += usize::from(!room);
-        room
+    pub(in crate::scene) fn has_room(&mut self) -> bool {
+        let fits = self.list.len() < LISTED;
+        self.unlisted += usize::from(!fits);
+        fits
     }
 
     /// The faults; at most a hundred.

@@ -68,14 +68,14 @@ impl<'t> Reader<'t> {
 
     /// Records a fault at a position.
     pub(in crate::scene) fn fault(&mut self, place: usize, found: impl Into<String>, allowed: impl Into<String>) {
-        if self.faults.room() {
+        if self.faults.has_room() {
             self.record_fault(self.path(), place, found.into(), allowed.into());
         }
     }
 
     /// Records a fault at a marked position.
     pub(in crate::scene) fn fault_at(&mut self, mark: Mark, found: impl Into<String>, allowed: impl Into<String>) {
-        if self.faults.room() {
+        if self.faults.has_room() {
             self.record_fault(mark.path, mark.place, found.into(), allowed.into());
         }
     }

@@ -110,7 +110,7 @@ impl<'s, T: Number> Run<'s, T> {
         for contact in &mut self.contacts {
             if let Err(failures) = contact.advance(&increment) {
                 problems.extend(
-                    failures.into_iter().take(LISTED).map(|failure| slipped(scene, state, contact.name(), failure)),
+                    failures.into_iter().take(LISTED).map(|failure| problem_of(scene, state, contact.name(), failure)),
                 );
             }
         }
@@ -167,7 +167,7 @@ impl<'s, T: Number> Run<'s, T> {
 }
 
 /// The problem of a failure on a slide line, whose nodes and elements have the numbers of the scene.
-fn slipped(scene: &Scene, state: usize, line: &str, failure: isl::Failure) -> Problem {
+fn problem_of(scene: &Scene, state: usize, line: &str, failure: isl::Failure) -> Problem {
     let isl::Failure { culprit, formula, error } = failure;
     let slide_line = line.to_owned();
     let culprit = match culprit {

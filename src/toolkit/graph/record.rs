@@ -22,7 +22,7 @@ pub enum NotRecorded {
     /// It calls a function that the graph does not know.
     Function(&'static str),
     /// Its comparisons have more combinations of outcomes than this.
-    Ways(usize),
+    Combinations(usize),
     /// It does not terminate, whatever the outcomes of comparisons.
     Endless,
     /// It panics, whatever the outcomes of comparisons.
@@ -34,7 +34,7 @@ impl fmt::Display for NotRecorded {
         match self {
             Self::Value => f.write_str("the value of a number that depends on the inputs leaves the graph as a double"),
             Self::Function(name) => write!(f, "it calls {name}, which the graph does not know"),
-            Self::Ways(most) => write!(f, "its comparisons come out in more than {most} ways"),
+            Self::Combinations(most) => write!(f, "its comparisons come out in more than {most} ways"),
             Self::Endless => f.write_str("it does not end where comparisons come out as they like"),
             Self::Panics => f.write_str("it panics where comparisons come out as they like"),
         }
@@ -154,7 +154,7 @@ impl From<Failure> for NotRecorded {
             Failure::Panic => Self::Panics,
             Failure::Escape(Escape::Value) => Self::Value,
             Failure::Escape(Escape::Function(name)) => Self::Function(name),
-            Failure::Escape(Escape::Ways) => Self::Ways(MOST_RUNS),
+            Failure::Escape(Escape::Combinations) => Self::Combinations(MOST_RUNS),
             Failure::Escape(Escape::Endless) => Self::Endless,
         }
     }

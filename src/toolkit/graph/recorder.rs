@@ -57,7 +57,7 @@ pub(super) enum Escape {
     /// A function was called that the graph does not know.
     Function(&'static str),
     /// There are too many combinations of outcomes.
-    Ways,
+    Combinations,
     /// A run does not terminate.
     Endless,
 }
@@ -112,7 +112,7 @@ fn sides_from(run: &dyn Fn() -> Vec<Node>, before: &Run, script: Vec<bool>) -> S
         recorder.runs
     });
     if runs > MOST_RUNS {
-        escape(Escape::Ways);
+        escape(Escape::Combinations);
     }
     let mut side = match catch_unwind(AssertUnwindSafe(run)) {
         Ok(results) => Some(results),

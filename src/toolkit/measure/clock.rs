@@ -3,7 +3,7 @@
 use super::exact::HardPoint;
 use super::{Measurement, Options, PointTime, Time};
 use crate::formula::proof::Proved;
-use crate::formula::proof::way::{Kernel, Runner, Way};
+use crate::formula::proof::method::{Kernel, Method, Runner};
 use crate::formula::{Fields, typed};
 use std::hint::black_box;
 use std::time::Instant;
@@ -35,7 +35,7 @@ pub(super) struct Points {
 /// A quantity to be timed.
 #[derive(Clone, Copy, PartialEq)]
 struct Task {
-    way: &'static str,
+    method: &'static str,
     with_jacobian: bool,
     /// The hard point; `None` for the random points.
     hard: Option<usize>,
@@ -100,15 +100,15 @@ struct Contestant {
 
 /// Fills in the times of a measurement.
 pub(super) fn time(
-    ways: &[Way],
+    methods: &[Method],
     [copy, yardstick]: [Runner; 2],
     points: &Points,
     (options, clock): (&Options, Clock),
     measurement: &mut Measurement,
 ) {
     let pace = Pace::new(options);
-    let mut contestants: Vec<_> = ways.iter().flat_map(|way| of_way(way, points, pace, clock)).collect();
-    let beside = |way, with_jacobian| Task { way, with_jacobian, hard: None };
+    let mut contestants: Vec<_> = methods.iter().flat_map(|method| of_method(method, points, pace, clock)).collect();
+    let beside = |method, with_jacobian| Task { method, with_jacobian, hard: None };
     for (task, run) in [(beside(COPY, true), copy), (beside(YARDSTICK, false), yardstick)] {
         contestants.push(Contestant::new(task, run, pace, clock));
     }
@@ -122,13 +122,13 @@ pub(super) fn time(
 }
 
 /// The value and the Jacobian of a method, over random points and at hard ones.
-fn of_way(way: &Way, points: &Points, pace: Pace, clock: Clock) -> Vec<Contestant> {
+fn of_method(method: &Method, points: &Points, pace: Pace, clock: Clock) -> Vec<Contestant> {
     let mut contestants = Vec::new();
-    for (kernel, with_jacobian) in [(&way.value, false), (&way.jacobian, true)] {
+    for (kernel, with_jacobian) in [(&method.value, false), (&method.jacobian, true)] {
         let Some(kernel) = kernel else { continue };
-        let task = Task { way: way.id, with_jacobian, hard: None };
+        let task = Task { method: method.id, with_jacobian, hard: None };
         contestants.push(Contestant::new(task, (kernel.runner)(&points.random), pace, clock));
-        if AT_HARD_POINTS.contains(&way.id) {
+        if AT_HARD_POINTS.contains(&method.id) {
             contestants.extend(points.hard.iter().enumerate().map(|(k, point)| {
                 // The same loop as over random points, with every point equal to this one.
                 let run = (kernel.runner)(&vec![point.inputs.clone(); pace.points]);
@@ -213,18 +213,18 @@ fn whole(x: f64) -> usize {
 
 /// Stores the times in the measurement.
 fn enter(contestants: &[Contestant], hard: &[HardPoint], measurement: &mut Measurement) {
-    let find = |way: &str, with_jacobian, hard| {
-        let is_it = |task: Task| task.way == way && task.with_jacobian == with_jacobian && task.hard == hard;
+    let find = |method: &str, with_jacobian, hard| {
+        let is_it = |task: Task| task.method == method && task.with_jacobian == with_jacobian && task.hard == hard;
         contestants.iter().find(|contestant| is_it(contestant.task))
     };
     let unit = find("closed", false, None);
-    for way in &mut measurement.ways {
-        for (figures, with_jacobian) in [(&mut way.value, false), (&mut way.jacobian, true)] {
-            let (Some(figures), Some(contestant)) = (figures, find(&way.id, with_jacobian, None)) else { continue };
+    for method in &mut measurement.methods {
+        for (figures, with_jacobian) in [(&mut method.value, false), (&mut method.jacobian, true)] {
+            let (Some(figures), Some(contestant)) = (figures, find(&method.id, with_jacobian, None)) else { continue };
             figures.time = contestant.time();
             figures.ratio = unit.and_then(|unit| Time::of(contestant.ratios(unit)));
             let point_time = |(k, point): (usize, &HardPoint)| {
-                let at_point = find(&way.id, with_jacobian, Some(k))?;
+                let at_point = find(&method.id, with_jacobian, Some(k))?;
                 Some(PointTime {
                     case: point.case.clone(),
                     ordinary: point.is_ordinary(),

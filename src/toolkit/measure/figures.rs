@@ -26,7 +26,7 @@ pub struct Measurement {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub columns: Option<Columns>,
     /// The ways, the closed form first.
-    pub ways: Vec<WayFigures>,
+    pub methods: Vec<MethodFigures>,
     /// Error of differences over their step.
     pub curves: Vec<Curve>,
 }
@@ -36,7 +36,7 @@ impl Measurement {
     /// covers both.
     #[must_use]
     pub fn and(mut self, other: &Self) -> Self {
-        for (ours, theirs) in self.ways.iter_mut().zip(&other.ways) {
+        for (ours, theirs) in self.methods.iter_mut().zip(&other.methods) {
             for (ours, theirs) in [(&mut ours.value, &theirs.value), (&mut ours.jacobian, &theirs.jacobian)] {
                 if let (Some(ours), Some(theirs)) = (ours, theirs) {
                     ours.and(theirs);
@@ -50,8 +50,8 @@ impl Measurement {
     }
 
     /// The method with this identifier.
-    pub fn way(&self, id: &str) -> Option<&WayFigures> {
-        self.ways.iter().find(|way| way.id == id)
+    pub fn method(&self, id: &str) -> Option<&MethodFigures> {
+        self.methods.iter().find(|method| method.id == id)
     }
 }
 
@@ -99,7 +99,7 @@ impl Columns {
 /// The figures of one way to compute a formula.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct WayFigures {
+pub struct MethodFigures {
     /// Its identifier, as `closed` or `ad`.
     pub id: String,
     /// What it is.

@@ -9,7 +9,7 @@
 //! | `forward`, `central`, `fourth` | | differences of `eval` in `f64` |
 //! | `octuple` | `eval` in 237 bits, rounded | `jacobian` in 237 bits, rounded |
 //! | `octuple-ad` | | automatic differentiation in 237 bits, rounded |
-//! | the formula's own, see [`Proved::ways`] | as given | its automatic differentiation in `f64` |
+//! | the formula's own, see [`Proved::methods`] | as given | its automatic differentiation in `f64` |
 //!
 //! Batches of many points are timed separately, see [`Columns`].
 //!
@@ -22,7 +22,7 @@
 //! use jointproof::connector::slot::ContactForce;
 //!
 //! let measured = measure::<ContactForce>(&Options::quick());
-//! let closed = measured.way("closed").unwrap();
+//! let closed = measured.method("closed").unwrap();
 //! let eta = closed.jacobian.as_ref().unwrap().random.eta;
 //! assert!(eta.median <= eta.max && eta.max < 2.0);
 //! ```
@@ -32,16 +32,16 @@ mod columns;
 mod difference;
 mod exact;
 mod figures;
+mod methods;
 mod options;
 mod quantile;
-mod ways;
 
 pub use difference::Scheme;
-pub use figures::{Columns, Curve, Errors, Figures, Measurement, PointTime, Quantiles, Time, WayFigures};
+pub use figures::{Columns, Curve, Errors, Figures, Measurement, MethodFigures, PointTime, Quantiles, Time};
 pub use options::Options;
 
 use crate::formula::Field;
-use crate::formula::proof::{Proved, Way};
+use crate::formula::proof::{Method, Proved};
 use crate::toolkit::verify::Subject;
 
 /// Measures one formula: its errors, then its times.
@@ -55,16 +55,16 @@ pub fn measure<F: Proved>(options: &Options) -> Measurement {
 pub fn errors<F: Proved>(options: &Options) -> Measurement {
     let subject = Subject::of::<F>();
     let points = exact::Points::new(&subject, options);
-    let curves = curves(&ways::differences::<F>, &points, options);
-    let ways = ways::all::<F>(&curves);
-    measured(&subject, &points, &ways, curves)
+    let curves = curves(&methods::differences::<F>, &points, options);
+    let methods = methods::all::<F>(&curves);
+    measured(&subject, &points, &methods, curves)
 }
 
-fn curves(way: &dyn Fn(Scheme, f64) -> Way, points: &exact::Points, options: &Options) -> Vec<Curve> {
-    Scheme::ALL.iter().map(|&scheme| ways::curve(scheme, way, points, options)).collect()
+fn curves(method: &dyn Fn(Scheme, f64) -> Method, points: &exact::Points, options: &Options) -> Vec<Curve> {
+    Scheme::ALL.iter().map(|&scheme| methods::curve(scheme, method, points, options)).collect()
 }
 
-fn measured(subject: &Subject, points: &exact::Points, ways: &[Way], curves: Vec<Curve>) -> Measurement {
+fn measured(subject: &Subject, points: &exact::Points, methods: &[Method], curves: Vec<Curve>) -> Measurement {
     Measurement {
         formula: subject.spec.id.into(),
         inputs: subject.inputs.iter().map(Field::len).sum(),
@@ -74,16 +74,16 @@ fn measured(subject: &Subject, points: &exact::Points, ways: &[Way], curves: Vec
         copy: None,
         yardstick: None,
         columns: None,
-        ways: ways.iter().map(|way| ways::errors(way, points)).collect(),
+        methods: methods.iter().map(|method| methods::errors(method, points)).collect(),
         curves,
     }
 }
 
 /// Times every method of a measurement whose errors are known.
 pub fn times<F: Proved>(options: &Options, measurement: &mut Measurement) {
-    let ways = ways::all::<F>(&measurement.curves);
+    let methods = methods::all::<F>(&measurement.curves);
     let points = clock::Points { random: options.timing_inputs::<F>(), hard: exact::hard(&Subject::of::<F>()) };
     let clock = clock::clock();
-    clock::time(&ways, clock::beside::<F>(&points), &points, (options, &clock), measurement);
+    clock::time(&methods, clock::beside::<F>(&points), &points, (options, &clock), measurement);
     measurement.columns = columns::time::<F>(options, &clock);
 }

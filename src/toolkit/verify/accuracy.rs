@@ -1,10 +1,10 @@
 //! The exact results at a point, and the backward errors of value and Jacobian in `f64`.
 
-use super::bends::Bends;
 use super::claim::Claim;
 use super::difference::of_same_field;
 use super::eta::eta_beside;
 use super::point::{Names, Point};
+use super::sensitivities::Sensitivities;
 use super::{Sensitivity, eta};
 use crate::Octuple;
 use crate::formula::Spec;
@@ -18,7 +18,7 @@ pub(super) struct Exact {
     /// The Jacobian by automatic differentiation, and by the closed form.
     pub(super) ad: Vec<Octuple>,
     pub(super) closed: Vec<Octuple>,
-    bends: Bends,
+    sensitivities: Sensitivities,
 }
 
 impl Exact {
@@ -26,17 +26,17 @@ impl Exact {
         let (subject, inputs) = (point.subject, &point.exact);
         let ad = subject.derivative(inputs);
         let closed = if subject.spec.is_closed() { (subject.exact_jacobian)(inputs) } else { ad.clone() };
-        Self { values: (subject.exact_value)(inputs), ad, closed, bends: Bends::at(point) }
+        Self { values: (subject.exact_value)(inputs), ad, closed, sensitivities: Sensitivities::at(point) }
     }
 
     /// The sensitivity of the k-th entry of the Jacobian to the inputs.
     pub(super) fn bend(&self, point: &Point, k: usize) -> Sensitivity {
-        self.bends.of(point, &self.closed, k)
+        self.sensitivities.of(point, &self.closed, k)
     }
 
     /// Lower bounds of this sensitivity, each of which takes longer to compute, and finally the sensitivity itself.
-    pub(super) fn bends_up_to(&self, point: &Point, k: usize) -> impl Iterator<Item = Sensitivity> {
-        self.bends.up_to(point, &self.closed, k)
+    pub(super) fn sensitivities_up_to(&self, point: &Point, k: usize) -> impl Iterator<Item = Sensitivity> {
+        self.sensitivities.up_to(point, &self.closed, k)
     }
 
     /// The largest entry in the row of the k-th.
@@ -107,7 +107,7 @@ fn check_jacobian(claim: &mut Claim, point: &Point, names: &Names, exact: &Exact
     let [alone, together] = jacobians;
     for (entry, ((&alone, &together), &ad)) in alone.iter().zip(&together).zip(&exact.ad).enumerate() {
         let mut judge = |computed| {
-            let own = exact.bends_up_to(point, entry).map(|bend| eta(computed, ad, bend));
+            let own = exact.sensitivities_up_to(point, entry).map(|bend| eta(computed, ad, bend));
             let vector = || {
                 let own = eta(computed, ad, exact.bend(point, entry));
                 own.min(eta_beside(computed, ad, exact.largest_beside(point, entry)))

@@ -1,15 +1,15 @@
 //! The audit: every claim about a formula, checked at its cases, near its kinks and at random points.
 
 use super::accuracy::{Exact, check_accuracy, claims};
-use super::bends::Bends;
 use super::branches::Branches;
 use super::claim::{Claim, Deviation};
 use super::difference::{Differences, Direction, differences, largest_of_field};
-use super::kinks::{self, Comparison, Looked, SMOOTH};
+use super::kinks::{self, Comparison, Examination, SMOOTH};
 use super::point::{Names, Options, Point, random_points};
 use super::printed::{EQUATION, found};
 use super::reach::{Reached, reach};
 use super::scale::scaled;
+use super::sensitivities::Sensitivities;
 use super::shard::Shard;
 use super::subject::{Law, Subject};
 use super::{Sampler, Sensitivity, finite, invariance};
@@ -85,7 +85,7 @@ pub struct Audit {
     /// On every registered kink something jumps; `None` if there are none.
     pub register: Option<Claim>,
     /// How kinks were searched for; `None` for a single given point.
-    pub looked: Option<Looked>,
+    pub examination: Option<Examination>,
 }
 
 impl Audit {
@@ -193,10 +193,10 @@ fn audit_points(subject: &Subject, points: &Points<'_>) -> Audit {
         finite: (!points.is_given()).then(|| finite::claim(subject, &names, random, *before, *seed)).flatten(),
         kinks: Claim::new("where value or derivative jumps a kink is registered, by one-sided differences", SMOOTH),
         register: starts.is_some().then(|| kinks::register(subject, &names)).flatten(),
-        looked: None,
+        examination: None,
     };
     if let Some(starts) = starts {
-        audit.looked = Some(kinks::look(subject, &names, [named, starts], &mut audit.kinks));
+        audit.examination = Some(kinks::look(subject, &names, [named, starts], &mut audit.kinks));
     } else if !points.is_given() {
         // Only the first part reports an equation that cannot be read.
         audit.equation = audit.equation.begun_anew();
@@ -241,9 +241,9 @@ fn equation_of(subject: &Subject, options: &Options) -> [Claim; 2] {
         if printed.is_defined(point.kink.is_some()) {
             let (values, closed) = ((subject.exact_value)(&point.exact), (subject.exact_jacobian)(&point.exact));
             // Few numbers are so close to cancellation that their sensitivity to the inputs is needed.
-            let (gradients, bends) = (OnceCell::new(), Bends::at(&point));
+            let (gradients, sensitivities) = (OnceCell::new(), Sensitivities::at(&point));
             let gradients = || gradients.get_or_init(|| subject.derivative(&point.exact)).as_slice();
-            let bend = |k: usize| bends.of(&point, &closed, k);
+            let bend = |k: usize| sensitivities.of(&point, &closed, k);
             check_equation(claims.each_mut(), &point, &names, [&values, &closed], gradients, bend, &printed);
         }
     }
@@ -338,7 +338,7 @@ impl Audit {
                 let scale = if own.size() < largest * NOTHING { own.plus(largest) } else { own };
                 scale.share_of(closed - ad)
             };
-            let sizes = exact.bends_up_to(point, k).map(share_beside).chain(iter::once_with(share));
+            let sizes = exact.sensitivities_up_to(point, k).map(share_beside).chain(iter::once_with(share));
             claim.record_last(sizes, CLOSED_AGAINST_AD, describe);
         }
     }

@@ -113,8 +113,8 @@ impl Judge {
         let value = values.iter().zip(derivative.chunks(inputs.len())).map(known).collect();
         let has_one = !matches!(kink, Some((_, Convention::Switch)));
         let jacobian = (with_jacobian && has_one).then(|| {
-            let bends = self.subject.second_derivative(&inputs);
-            derivative.iter().zip(bends.iter().map(Vec::as_slice)).map(known).collect()
+            let sensitivities = self.subject.second_derivative(&inputs);
+            derivative.iter().zip(sensitivities.iter().map(Vec::as_slice)).map(known).collect()
         });
         Ok(Truth { value, jacobian, kink })
     }

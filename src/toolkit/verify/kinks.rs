@@ -38,7 +38,7 @@ pub(super) const STARTS_AT: usize = 1000;
 /// How kinks of a formula were searched for.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Looked {
+pub enum Examination {
     /// In its graph, and at named points.
     Graph {
         /// The result of the search.
@@ -62,10 +62,10 @@ pub(super) fn jump(point: &Point, output: usize, input: usize) -> f64 {
 
 /// Searches for kinks in the graph of a formula, and records unregistered ones in the claim. The coverage of
 /// comparisons is filled in later.
-pub(super) fn look(subject: &Subject, names: &Names, [named, random]: [&[Point]; 2], claim: &mut Claim) -> Looked {
+pub(super) fn look(subject: &Subject, names: &Names, [named, random]: [&[Point]; 2], claim: &mut Claim) -> Examination {
     let graph = match subject.telling_graph() {
         Ok(graph) => graph,
-        Err(why) => return Looked::NamedPoints { why },
+        Err(why) => return Examination::NamedPoints { why },
     };
     // Points in general position come first.
     let starts: Vec<_> = random.iter().take(FEW).chain(named).chain(random.iter().skip(FEW)).collect();
@@ -74,7 +74,7 @@ pub(super) fn look(subject: &Subject, names: &Names, [named, random]: [&[Point];
         // What was checked is that there is no unregistered kink.
         claim.checks += 1;
     }
-    Looked::Graph { search, coverage: Coverage::default() }
+    Examination::Graph { search, coverage: Coverage::default() }
 }
 
 /// The outcomes of the comparisons in the graph of a formula at points; none if the graph cannot be used.
@@ -134,11 +134,11 @@ mod tests {
     }
 
     /// What is found from named and random points with these values of c.
-    fn looked(subject: &Subject, [named, random]: [&[f64]; 2]) -> (Looked, Claim) {
+    fn examination(subject: &Subject, [named, random]: [&[f64]; 2]) -> (Examination, Claim) {
         let points = |all: &[f64]| all.iter().map(|&c| point(subject, &[4.0, 1.0, c])).collect::<Vec<_>>();
         let mut claim = Claim::new("kinks are registered", SMOOTH);
-        let looked = look(subject, &Names::new(subject), [&points(named), &points(random)], &mut claim);
-        (looked, claim)
+        let examination = look(subject, &Names::new(subject), [&points(named), &points(random)], &mut claim);
+        (examination, claim)
     }
 
     #[test]
@@ -146,8 +146,8 @@ mod tests {
         let first = |check: fn(&[f64]) -> Result<(), crate::Error>| {
             let mut subject = asks_where_x_is_one();
             subject.check = check;
-            let (looked, claim) = looked(&subject, [&[256.0], &[1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0]]);
-            let Looked::Graph { search, .. } = looked else { panic!("there is a graph") };
+            let (examination, claim) = examination(&subject, [&[256.0], &[1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0]]);
+            let Examination::Graph { search, .. } = examination else { panic!("there is a graph") };
             (search.points, claim.worst.map_or(json!(null), |worst| worst.inputs["c"].clone()))
         };
         assert_eq!(first(|_| Ok(())), (3, json!(1.0)));
@@ -161,12 +161,12 @@ mod tests {
     #[test]
     fn that_there_is_no_candidate_is_a_check() {
         let none = with_graph(|| Cow::Owned(Ok(graph(|_, [x, ..]| vec![x]))));
-        let (found, claim) = looked(&none, [&[1.0], &[2.0, 4.0]]);
+        let (found, claim) = examination(&none, [&[1.0], &[2.0, 4.0]]);
         assert_eq!(
             (found, claim.checks),
-            (Looked::Graph { search: Search::default(), coverage: Coverage::default() }, 1)
+            (Examination::Graph { search: Search::default(), coverage: Coverage::default() }, 1)
         );
-        let (_, claim) = looked(&asks_where_x_is_one(), [&[1.0], &[2.0, 4.0]]);
+        let (_, claim) = examination(&asks_where_x_is_one(), [&[1.0], &[2.0, 4.0]]);
         assert_eq!((claim.checks, claim.failures), (3, 0));
     }
 
@@ -174,8 +174,10 @@ mod tests {
     fn a_graph_that_does_not_tell_is_not_searched() {
         let subject = Subject::of::<ClosestParabolic>();
         let mut claim = Claim::new("kinks are registered", SMOOTH);
-        let looked = look(&subject, &Names::new(&subject), [&[], &[]], &mut claim);
-        assert!(matches!(looked, Looked::NamedPoints { why } if why.starts_with("the formula is an iterative search")));
+        let examination = look(&subject, &Names::new(&subject), [&[], &[]], &mut claim);
+        assert!(
+            matches!(examination, Examination::NamedPoints { why } if why.starts_with("the formula is an iterative search"))
+        );
         assert_eq!(claim.checks, 0);
         assert_eq!(comparisons(&subject, &Names::new(&subject), std::iter::empty()), []);
     }

@@ -44,7 +44,6 @@
 
 mod accuracy;
 mod audit;
-mod bends;
 mod branches;
 mod claim;
 mod difference;
@@ -63,6 +62,7 @@ mod prose;
 mod reach;
 mod sample;
 mod scale;
+mod sensitivities;
 mod shard;
 mod subject;
 mod trial;
@@ -79,7 +79,7 @@ pub(crate) use eta::U;
 pub use eta::{Sensitivity, eta, relative};
 pub use jet::derivative_of_jacobian;
 pub use judge::{Judge, Known, Truth};
-pub use kinks::{Comparison, Coverage, Looked, Rank, Search, Sides};
+pub use kinks::{Comparison, Coverage, Examination, Rank, Search, Sides};
 pub use part::{Part, audit, audit_part};
 pub use point::Options;
 pub use prose::{Printed, claims_about, claims_at_large, kinks_as_printed, number_at_large, number_of};

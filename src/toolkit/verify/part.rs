@@ -3,7 +3,7 @@
 
 use super::audit::{Audit, audit_share};
 use super::claim::Claim;
-use super::kinks::{Comparison, Coverage, Looked};
+use super::kinks::{Comparison, Coverage, Examination};
 use super::point::Options;
 use super::shard::{PartError, Shard};
 use super::subject::Subject;
@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 
 /// Audits one formula.
 pub fn audit<F: Proved>(options: &Options) -> Audit {
-    audit_part::<F>(options, Shard::WHOLE).told()
+    audit_part::<F>(options, Shard::WHOLE).complete()
 }
 
 /// A part of the audit of one formula, at its share of the random points.
@@ -85,13 +85,13 @@ impl Part {
         if (first, last) != (1, of) {
             return Err(PartError(format!("{}: parts {first} to {last} of {of} are not all", self.formula())));
         }
-        Ok(self.told())
+        Ok(self.complete())
     }
 
     /// The audit, with the coverage of comparisons filled in.
-    pub(crate) fn told(self) -> Audit {
+    pub(crate) fn complete(self) -> Audit {
         let mut audit = self.audit;
-        if let Some(Looked::Graph { coverage, .. }) = &mut audit.looked {
+        if let Some(Examination::Graph { coverage, .. }) = &mut audit.examination {
             *coverage = Coverage::of(&self.comparisons);
         }
         audit
@@ -119,7 +119,7 @@ impl Audit {
             finite: either(self.finite, next.finite, Claim::and),
             kinks: self.kinks.and(next.kinks),
             register: either(self.register, next.register, Claim::and),
-            looked: self.looked.or(next.looked),
+            examination: self.examination.or(next.examination),
         }
     }
 }

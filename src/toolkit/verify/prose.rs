@@ -173,9 +173,9 @@ fn sizes(
     // The error of a component of a unit vector is relative to 1, not to itself.
     let scales: Vec<_> = inputs.iter().zip(&off).map(|(&x, &off)| if off.is_zero() { x } else { off }).collect();
     let gradients = subject.derivative(inputs);
-    let bends = subject.second_derivative(inputs);
+    let sensitivities = subject.second_derivative(inputs);
     let of_values = gradients.chunks(inputs.len()).zip(values);
-    let of_entries = bends.iter().map(Vec::as_slice).zip(jacobian);
+    let of_entries = sensitivities.iter().map(Vec::as_slice).zip(jacobian);
     let known = of_values.chain(of_entries).map(|(gradient, &y)| Sensitivity::new(gradient, &scales).plus(y).size());
     off.iter().copied().chain(known).collect()
 }

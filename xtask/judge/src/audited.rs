@@ -1,7 +1,7 @@
 //! The results of audits, in words.
 
 use crate::console::{bold, count, figure, green, red};
-use crate::looked;
+use crate::examination;
 use jointproof::toolkit::verify::{Audit, Claim, Deviation};
 use std::fmt::Write;
 
@@ -17,7 +17,7 @@ pub fn text(audits: &[Audit], passed: fn(&Audit) -> bool) -> Result<String, std:
         for claim in audit.claims() {
             writeln!(text, "    {}", line(claim))?;
         }
-        for line in audit.looked.iter().flat_map(looked::lines) {
+        for line in audit.examination.iter().flat_map(examination::lines) {
             writeln!(text, "    {line}")?;
         }
         for claim in audit.claims().filter(|claim| !claim.held() || is_error_figure(claim)) {

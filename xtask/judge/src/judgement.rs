@@ -23,7 +23,7 @@ impl Judgement {
 impl Court<'_> {
     /// Judges the answers of the first and of the second pass.
     pub fn judged(&self, program: &[String], answers: &[Vec<Answer>; 2], heard: &Heard) -> Judgement {
-        let slope = taylor::told(self, &answers[0]);
+        let slope = taylor::message(self, &answers[0]);
         let found = self.judge(answers);
         let causes = diagnosis::diagnose(self, answers, &found);
         let text = report::text(self, program, &found, heard, slope.as_deref(), &causes);

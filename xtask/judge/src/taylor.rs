@@ -120,7 +120,7 @@ fn tangent(formula: &dyn AnyFormula, x: &[f64], sampler: &mut Sampler) -> Vec<f6
 }
 
 /// The conclusion from the remainders of a program's own values, in words; `None` if there are none.
-pub(super) fn told(court: &Court<'_>, answers: &[Answer]) -> Option<String> {
+pub(super) fn message(court: &Court<'_>, answers: &[Answer]) -> Option<String> {
     let m = sizes(court.formula)[1];
     let mut directions = BTreeMap::<usize, Vec<(&Along, &Answer)>>::new();
     for (question, answer) in court.questions.iter().zip(answers) {
@@ -289,8 +289,8 @@ mod tests {
             let product = jacobian.chunks(5).map(|row| row.iter().zip(v).map(|(slope, v)| slope * v).sum());
             Answer::Numbers(value.into_iter().chain(product).map(Some).chain([None; 5]).collect())
         };
-        let told = told(&court, &asked.iter().map(answer).collect::<Vec<_>>()).unwrap();
-        assert!(told.starts_with("J v are the derivatives of its own values along 6 directions"), "{told}");
+        let message = message(&court, &asked.iter().map(answer).collect::<Vec<_>>()).unwrap();
+        assert!(message.starts_with("J v are the derivatives of its own values along 6 directions"), "{message}");
     }
 
     #[test]

@@ -4,8 +4,8 @@ use crate::console::{count, figure, print, progress, say};
 use crate::elements;
 use crate::evidence::Evidence;
 use crate::golden;
+use crate::missing::missing;
 use crate::outcome::{Outcome, Usage, verdict};
-use crate::owed::owed;
 use crate::project::Project;
 use crate::review::{Finding, annotations, of_claim, rdjson, sarif, summarise};
 use crate::selection::Selection;
@@ -17,7 +17,7 @@ use jointproof::formula::Field;
 use jointproof::toolkit::verify::golden::components;
 use jointproof::toolkit::verify::{Audit, Claim, ElementAudit, Options, Part, Shard};
 use judge::audited::{in_full, text, total};
-use judge::looked;
+use judge::examination;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -98,17 +98,17 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     // Points, shares and changes concern formulas only.
     let is_of_formulas = arguments.point.is_some() || !arguments.merge.is_empty() || arguments.since.is_some();
     let of_elements = if is_of_formulas { Vec::new() } else { elements::audit(&chosen, &options) };
-    let told = elements::text(&of_elements)?;
+    let elements_text = elements::text(&of_elements)?;
     let of_elements_alone = formulas.is_empty() && !of_elements.is_empty();
     // At a single point on a kink, some claims cannot be checked.
     let passed = if arguments.point.is_some() { Audit::no_claim_failed } else { Audit::passed };
     // An audit at a given point serves another purpose, so that missing evidence is not reported.
-    let owed = if arguments.point.is_some() { Vec::new() } else { owed(project, &formulas)? };
+    let missing = if arguments.point.is_some() { Vec::new() } else { missing(project, &formulas)? };
     print(&match arguments.format {
-        Format::Text if of_elements_alone => told.clone(),
-        Format::Text => text(&audits, passed)? + &told + &owed.concat(),
+        Format::Text if of_elements_alone => elements_text.clone(),
+        Format::Text => text(&audits, passed)? + &elements_text + &missing.concat(),
         Format::Markdown => {
-            markdown(project, &formulas, &audits, passed)? + &elements::markdown(&of_elements) + &fenced(&owed)
+            markdown(project, &formulas, &audits, passed)? + &elements::markdown(&of_elements) + &fenced(&missing)
         }
         Format::Json => {
             let all = audits.iter().map(One::Formula).chain(of_elements.iter().map(One::Element));
@@ -116,20 +116,20 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
         }
         Format::Github => {
             let of_both = markdown(project, &formulas, &audits, passed)? + &elements::markdown(&of_elements);
-            summarise(&(of_both + &fenced(&owed)))?;
+            summarise(&(of_both + &fenced(&missing)))?;
             annotations(&findings(project, &formulas, &audits)?) + &total(&audits, passed)
         }
         Format::Sarif => sarif(&findings(project, &formulas, &audits)?)?,
         Format::Rdjson => rdjson(&findings(project, &formulas, &audits)?)?,
     })?;
-    if !matches!(arguments.format, Format::Text | Format::Markdown) && !owed.is_empty() {
-        say(owed.concat().trim_end());
+    if !matches!(arguments.format, Format::Text | Format::Markdown) && !missing.is_empty() {
+        say(missing.concat().trim_end());
     }
     let elements_passed = of_elements.iter().all(ElementAudit::passed);
     if !matches!(arguments.format, Format::Text | Format::Markdown | Format::Json) && !elements_passed {
-        say(told.trim_end());
+        say(elements_text.trim_end());
     }
-    Ok(verdict(elements_passed && is_well(&owed, &audits, passed)))
+    Ok(verdict(elements_passed && is_well(&missing, &audits, passed)))
 }
 
 /// An audit in the form of the JSON output.
@@ -141,8 +141,8 @@ enum One<'a> {
 }
 
 /// Whether no evidence is missing, and every audit has passed.
-fn is_well(owed: &[String], audits: &[Audit], passed: fn(&Audit) -> bool) -> bool {
-    owed.is_empty() && audits.iter().all(passed)
+fn is_well(missing: &[String], audits: &[Audit], passed: fn(&Audit) -> bool) -> bool {
+    missing.is_empty() && audits.iter().all(passed)
 }
 
 /// One finding for each failed claim, on the line of the function it is about.
@@ -163,9 +163,9 @@ fn findings(project: &Project, formulas: &[&dyn AnyFormula], audits: &[Audit]) -
 }
 
 /// The missing evidence, for a code review.
-fn fenced(owed: &[String]) -> String {
-    let text = anstream::adapter::strip_str(&owed.concat()).to_string();
-    if text.is_empty() { text } else { format!("## Owed\n\n```text\n{text}```\n") }
+fn fenced(missing: &[String]) -> String {
+    let text = anstream::adapter::strip_str(&missing.concat()).to_string();
+    if text.is_empty() { text } else { format!("## Missing\n\n```text\n{text}```\n") }
 }
 
 fn at_point(formulas: &[&dyn AnyFormula], point: &str) -> anyhow::Result<Audit> {
@@ -275,7 +275,7 @@ fn markdown(
             writeln!(text, "| {claim} | {checks} | {failures} | {size} | {} | {at} |", figure(*bound))?;
         }
         text.push('\n');
-        for line in audit.looked.iter().flat_map(looked::lines) {
+        for line in audit.examination.iter().flat_map(examination::lines) {
             writeln!(text, "- {line}")?;
         }
         text.push('\n');
@@ -364,7 +364,7 @@ mod tests {
     #[test]
     fn all_must_have_passed_and_nothing_be_owed() {
         let [passed, failed] = audits();
-        let is_well = |owed: &[String], audits: &[Audit]| is_well(owed, audits, Audit::passed);
+        let is_well = |missing: &[String], audits: &[Audit]| is_well(missing, audits, Audit::passed);
         assert!(is_well(&[], &[]) && is_well(&[], &[passed.clone(), passed.clone()]));
         assert!(!is_well(&[], &[passed.clone(), failed.clone()]) && !is_well(&[], &[failed, passed.clone()]));
         assert!(!is_well(&["a poem".into()], &[passed]));
@@ -396,10 +396,10 @@ mod tests {
     }
 
     #[test]
-    fn what_is_owed_stands_in_a_fence_of_its_own() {
+    fn what_is_missing_stands_in_a_fence_of_its_own() {
         assert_eq!(fenced(&[]), "");
-        let owed = [format!("{} owes\n    a poem\n", crate::console::bold("a.b")), "c.d owes\n".into()];
-        assert_eq!(fenced(&owed), "## Owed\n\n```text\na.b owes\n    a poem\nc.d owes\n```\n");
+        let missing = [format!("{} lacks\n    a poem\n", crate::console::bold("a.b")), "c.d lacks\n".into()];
+        assert_eq!(fenced(&missing), "## Missing\n\n```text\na.b lacks\n    a poem\nc.d lacks\n```\n");
     }
 
     #[test]

@@ -15,7 +15,7 @@ pub struct Beside {
 
 /// Generated content for chapters of a book, with the names used in directives.
 #[derive(Clone, Debug, Default)]
-pub struct Exhibits {
+pub struct Extras {
     /// `{{#figure name caption}}`: SVG elements.
     pub figures: Vec<(String, String)>,
     /// Also `{{#figure name caption}}`, animated by sliders.

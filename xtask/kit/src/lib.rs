@@ -28,9 +28,9 @@ mod extension;
 pub mod files;
 mod formulas;
 mod golden;
+mod missing;
 mod new;
 mod outcome;
-mod owed;
 mod project;
 mod prose;
 mod report;
@@ -43,6 +43,6 @@ mod verify;
 
 pub use book::{Fault, listing_page, uncovered};
 pub use commands::main;
-pub use extension::{Beside, Exhibits, Fact, Moving, Served, Slider, Table};
+pub use extension::{Beside, Extras, Fact, Moving, Served, Slider, Table};
 pub use outcome::{Outcome, Usage};
 pub use project::{Catalog, Check, Project, Reach};

@@ -1,7 +1,7 @@
 //! The subject of the commands: a catalog of formulas, and the folder of its sources, golden files and book.
 
 use crate::{
-    extension::{Beside, Exhibits},
+    extension::{Beside, Extras},
     outcome::{Outcome, Usage},
 };
 use clap::{ArgMatches, Args, FromArgMatches};
@@ -34,16 +34,16 @@ pub(crate) struct Extension {
     pub(crate) commands: Vec<Command>,
     pub(crate) beside: Option<(&'static str, Golden)>,
     pub(crate) checks: Vec<(&'static str, Check)>,
-    pub(crate) exhibits: Option<fn(&Project) -> anyhow::Result<Exhibits>>,
+    pub(crate) extras: Option<fn(&Project) -> anyhow::Result<Extras>>,
     pub(crate) reach: Option<Reach>,
-    pub(crate) debts: Vec<(&'static str, IsPaid, &'static str)>,
+    pub(crate) requirements: Vec<(&'static str, IsMet, &'static str)>,
 }
 
 /// A command, and the function that runs it.
 type Command = (clap::Command, Box<dyn Fn(&Project, &ArgMatches) -> Outcome + Send + Sync>);
 
 /// Whether the formula with this identifier meets a requirement.
-type IsPaid = fn(&Project, &str) -> bool;
+type IsMet = fn(&Project, &str) -> bool;
 
 /// For every formula, by identifier, the files, as paths from the root, on which its evidence depends.
 pub type Reach = fn(&Project) -> anyhow::Result<std::collections::BTreeMap<String, Vec<PathBuf>>>;
@@ -225,15 +225,15 @@ impl Project {
 
     /// Adds a requirement on every formula: a description, whether a formula meets it, and how to meet it.
     #[must_use]
-    pub fn with_debt(mut self, what: &'static str, is_paid: IsPaid, how: &'static str) -> Self {
-        self.extension.debts.push((what, is_paid, how));
+    pub fn with_requirement(mut self, what: &'static str, is_met: IsMet, how: &'static str) -> Self {
+        self.extension.requirements.push((what, is_met, how));
         self
     }
 
     /// Adds generated content for the book.
     #[must_use]
-    pub fn with_exhibits(mut self, exhibits: fn(&Self) -> anyhow::Result<Exhibits>) -> Self {
-        self.extension.exhibits = Some(exhibits);
+    pub fn with_extras(mut self, extras: fn(&Self) -> anyhow::Result<Extras>) -> Self {
+        self.extension.extras = Some(extras);
         self
     }
 }

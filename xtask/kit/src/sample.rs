@@ -3,9 +3,9 @@
 
 use crate::report::data::{Machine, Report};
 use jointproof::toolkit::measure::{
-    Curve, Errors, Figures, Measurement, Options, PointTime, Quantiles, Scheme, Time, WayFigures,
+    Curve, Errors, Figures, Measurement, MethodFigures, Options, PointTime, Quantiles, Scheme, Time,
 };
-use jointproof::toolkit::verify::{Audit, Claim, Coverage, Deviation, Looked, Search};
+use jointproof::toolkit::verify::{Audit, Claim, Coverage, Deviation, Examination, Search};
 use measuring::Build;
 
 fn claim(claim: &str, bound: f64, [checks, failures]: [usize; 2], size: f64) -> Claim {
@@ -43,7 +43,7 @@ pub(crate) fn passed() -> Audit {
         finite: Some(claim("nothing overflows", 0.0, [109, 0], 0.0)),
         kinks: claim("where value or derivative jumps a kink is registered", 1e-12, [110, 0], 7.7e-14),
         register: Some(claim("on every registered kink something jumps", 0.0, [111, 0], 0.0)),
-        looked: Some(Looked::Graph {
+        examination: Some(Examination::Graph {
             search: Search {
                 candidates: 12,
                 points: 30,
@@ -81,7 +81,7 @@ pub(crate) fn failed() -> Audit {
         finite: None,
         kinks: claim("where value or derivative jumps a kink is registered", 1e-12, [210, 17], 0.5),
         register: None,
-        looked: Some(Looked::NamedPoints { why: "it is a search".into() }),
+        examination: Some(Examination::NamedPoints { why: "it is a search".into() }),
         ..passed()
     }
 }
@@ -97,7 +97,7 @@ fn errors(points: usize, not_finite: usize, size: f64) -> Errors {
 }
 
 /// A method whose value has this time and this error; those of its Jacobian are larger.
-fn way(id: &str, title: &str, ns: f64, error: f64) -> WayFigures {
+fn method(id: &str, title: &str, ns: f64, error: f64) -> MethodFigures {
     let hard = |case: &str, ordinary, factor: f64| PointTime {
         case: case.into(),
         ordinary,
@@ -111,7 +111,7 @@ fn way(id: &str, title: &str, ns: f64, error: f64) -> WayFigures {
         random: errors(50, 0, error),
         hard: Some(errors(9, not_finite, error * 1.5)),
     };
-    WayFigures {
+    MethodFigures {
         id: id.into(),
         title: title.into(),
         step: id.starts_with("central").then_some(1e-5),
@@ -136,14 +136,14 @@ pub(crate) fn measurement(formula: &str, slow: f64) -> Measurement {
         copy: Some(time(3.0 * slow)),
         yardstick: Some(time(17.0 * slow)),
         columns: None,
-        ways: vec![
-            way("closed", "closed form", 11.0 * slow, 0.4),
-            way("checked", "closed form, checked", 13.0 * slow, 0.4),
-            way("single", "single precision", 5.0 * slow, 3e8),
-            way("ad", "automatic differentiation", 47.0 * slow, 0.7),
-            way("central", "central differences", 61.0 * slow, 8e5),
-            way("octuple", "237 bits", 9e4 * slow, 0.0),
-            way("plain", "plain square root", 7.0 * slow, 0.9),
+        methods: vec![
+            method("closed", "closed form", 11.0 * slow, 0.4),
+            method("checked", "closed form, checked", 13.0 * slow, 0.4),
+            method("single", "single precision", 5.0 * slow, 3e8),
+            method("ad", "automatic differentiation", 47.0 * slow, 0.7),
+            method("central", "central differences", 61.0 * slow, 8e5),
+            method("octuple", "237 bits", 9e4 * slow, 0.0),
+            method("plain", "plain square root", 7.0 * slow, 0.9),
         ],
         curves: vec![
             curve(Scheme::Forward, 6, 3e-10),
@@ -157,10 +157,10 @@ pub(crate) fn measurement(formula: &str, slow: f64) -> Measurement {
 pub(crate) fn report() -> Report {
     let text = str::to_owned;
     let mut second = measurement("u.second", 1e3);
-    second.ways.swap(0, 3);
-    let ids: Vec<_> = second.ways.iter().map(|way| way.id.clone()).collect();
+    second.methods.swap(0, 3);
+    let ids: Vec<_> = second.methods.iter().map(|method| method.id.clone()).collect();
     // Automatic differentiation is the faster one there.
-    (second.ways[0].id, second.ways[3].id) = (ids[3].clone(), ids[0].clone());
+    (second.methods[0].id, second.methods[3].id) = (ids[3].clone(), ids[0].clone());
     Report {
         version: 3,
         created: text("2026-11-01T02:03:04Z"),

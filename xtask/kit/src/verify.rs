@@ -7,7 +7,7 @@ use crate::outcome::{Outcome, verdict};
 use crate::project::Project;
 use crate::report::data::Report;
 use crate::selection::Selection;
-use crate::{audit, elements, owed, prose};
+use crate::{audit, elements, missing, prose};
 use jointproof::toolkit::verify::{Audit, Options};
 use judge::audited;
 use std::time::{Duration, Instant};
@@ -39,10 +39,10 @@ struct Step {
 
 pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     project.needs_repository("verify", "")?;
-    let mut steps = vec![step("owed", || check_owed(project))?];
-    steps.push(step("golden", || Ok(told(project, golden::check(project, &Selection::ALL)?)))?);
+    let mut steps = vec![step("missing", || check_missing(project))?];
+    steps.push(step("golden", || Ok(outcome(project, golden::check(project, &Selection::ALL)?)))?);
     if let Some((name, beside)) = project.extension.beside {
-        steps.push(step(name, || Ok(told(project, golden::check_beside(project, &beside(project)?))))?);
+        steps.push(step(name, || Ok(outcome(project, golden::check_beside(project, &beside(project)?))))?);
     }
     steps.push(step("audit", || check_audit(project, arguments))?);
     if !project.elements().is_empty() {
@@ -74,7 +74,7 @@ fn step(name: &'static str, job: impl FnOnce() -> anyhow::Result<(bool, String)>
 }
 
 /// Reports the differences of golden files, in full.
-fn told(project: &Project, Checked { passed, counts, report }: Checked) -> (bool, String) {
+fn outcome(project: &Project, Checked { passed, counts, report }: Checked) -> (bool, String) {
     if !passed {
         say(report.trim_end());
         golden::say_what_mends(project);
@@ -82,12 +82,12 @@ fn told(project: &Project, Checked { passed, counts, report }: Checked) -> (bool
     (passed, counts)
 }
 
-fn check_owed(project: &Project) -> anyhow::Result<(bool, String)> {
-    let owed = owed::owed(project, project.catalog())?;
-    if !owed.is_empty() {
-        say(owed.concat().trim_end());
+fn check_missing(project: &Project) -> anyhow::Result<(bool, String)> {
+    let missing = missing::missing(project, project.catalog())?;
+    if !missing.is_empty() {
+        say(missing.concat().trim_end());
     }
-    Ok((owed.is_empty(), owed::summary(project.catalog().len(), &owed)))
+    Ok((missing.is_empty(), missing::summary(project.catalog().len(), &missing)))
 }
 
 fn check_audit(project: &Project, arguments: &Arguments) -> anyhow::Result<(bool, String)> {
@@ -155,8 +155,8 @@ mod tests {
             counts: counts.into(),
             time: Duration::from_millis(milliseconds),
         };
-        let steps = [step("owed", true, "1 formula", 0), step("statements", false, "2 sides", 1234)];
-        let expected = "ok  owed       1 formula in 0.0 s\noff statements 2 sides in 1.2 s\n";
+        let steps = [step("missing", true, "1 formula", 0), step("statements", false, "2 sides", 1234)];
+        let expected = "ok  missing    1 formula in 0.0 s\noff statements 2 sides in 1.2 s\n";
         assert_eq!(console::plain(&summary(&steps)), expected);
         assert_eq!(summary(&[]), "");
     }

@@ -146,28 +146,28 @@ mod tests {
     fn the_errors_of_every_formula_are_found() {
         let count = thread::available_parallelism().map_or(1, usize::from) + 2;
         let formula: &'static dyn AnyFormula = &jointproof::connector::slot::ContactForce;
-        let mut told = Vec::new();
+        let mut reported = Vec::new();
         let options = Options { random_points: 1, ..LEAST };
         let found = compare(&vec![formula; count], ERRORS, &options, |id| {
-            told.push(id);
+            reported.push(id);
             Ok::<_, ()>(())
         });
         let mut numbers: Vec<_> = found.unwrap().into_iter().map(|(k, _)| k).collect();
         numbers.sort_unstable();
         assert_eq!(numbers, (0..count).collect::<Vec<_>>());
-        assert_eq!(told, vec!["slot.contact_force"; count]);
+        assert_eq!(reported, vec!["slot.contact_force"; count]);
     }
 
     #[test]
     fn nothing_is_told_to_whom_it_failed_to_be_told() {
         let request = Request { formulas: vec!["slot.contact_force".into(); 2], options: LEAST };
         for last in [1, 2, 4, 6] {
-            let mut told = 0;
+            let mut reported = 0;
             let ended = measure(CATALOG, BY, &request, |_| {
-                told += 1;
-                if told == last { Err("enough") } else { Ok(()) }
+                reported += 1;
+                if reported == last { Err("enough") } else { Ok(()) }
             });
-            assert_eq!((ended, told), (Err("enough"), last));
+            assert_eq!((ended, reported), (Err("enough"), last));
         }
     }
 
@@ -184,7 +184,7 @@ mod tests {
         events[1..3].sort_by_key(|event| format!("{event:?}"));
         let [begun, events @ ..] = events.as_slice() else { panic!("nothing is told") };
         assert_eq!(*begun, Event::Begun(Build::this()));
-        let told: Vec<_> = events
+        let reported: Vec<_> = events
             .iter()
             .map(|event| match event {
                 Event::Begun(_) => panic!("it begins once"),
@@ -192,14 +192,14 @@ mod tests {
                 Event::Timed(id) => ("timed", id.as_str()),
                 Event::Measured(measurement) => {
                     // In two rounds, not all times are the same.
-                    let mut times = measurement.ways.iter().filter_map(|way| way.jacobian.as_ref()?.time);
+                    let mut times = measurement.methods.iter().filter_map(|method| method.jacobian.as_ref()?.time);
                     assert!(times.any(|time| time.low < time.high), "{measurement:?}");
                     ("measured", measurement.formula.as_str())
                 }
             })
             .collect();
         let expected = ["compared", "timed", "measured"].map(|what| ids.map(|id| (what, id)));
-        assert_eq!(told, expected.concat());
+        assert_eq!(reported, expected.concat());
         let said = answer(CATALOG, BY, "no".as_bytes(), &mut Vec::new()).unwrap_err().to_string();
         assert!(said.starts_with("no request of `report` on standard input"), "{said}");
     }

@@ -14,7 +14,7 @@ const SCENE: Generated = Generated { of: Connector::Slot, connectors: 100_000, s
 const TIMES: usize = 9;
 
 /// One format, from a scene's file to that of its results.
-struct Way {
+struct Method {
     name: &'static str,
     scene: PathBuf,
     results: PathBuf,
@@ -26,7 +26,7 @@ struct Way {
     peak: Option<usize>,
 }
 
-impl Way {
+impl Method {
     fn new(folder: &Path, name: &'static str, scene: &str, results: &str) -> Self {
         let [scene, results] = [scene, results].map(|file| folder.join(file));
         Self { name, scene, results, bytes: 0, milliseconds: Vec::new(), peak: None }
@@ -58,27 +58,27 @@ pub(crate) fn run(report: &mut String) -> anyhow::Result<()> {
     let folder = tempfile::tempdir().context("cannot make a folder")?;
     let folder = folder.path();
     let arrays = "arrays.npz";
-    let mut ways = [
-        Way::new(folder, "JSON", "many.json", "results.json"),
-        Way::new(folder, "columns", "described.json", "results.npz"),
+    let mut methods = [
+        Method::new(folder, "JSON", "many.json", "results.json"),
+        Method::new(folder, "columns", "described.json", "results.npz"),
     ];
-    files::write_with(&ways[0].scene, |file| SCENE.write(file))?;
-    files::write_with(&ways[1].scene, |file| SCENE.write_description(arrays, file))?;
+    files::write_with(&methods[0].scene, |file| SCENE.write(file))?;
+    files::write_with(&methods[1].scene, |file| SCENE.write_description(arrays, file))?;
     files::write_with(&folder.join(arrays), |file| Ok(SCENE.write_arrays(file)?))?;
     for turn in 0..TIMES {
         say(&format!("from file to file, {} of {TIMES}", turn + 1));
-        ways.iter_mut().try_for_each(Way::run)?;
+        methods.iter_mut().try_for_each(Method::run)?;
     }
     let size = |path: &Path| std::fs::metadata(path).map(|file| file.len());
-    for way in &mut ways {
-        way.bytes = size(&way.scene)? + size(&way.results)?;
+    for method in &mut methods {
+        method.bytes = size(&method.scene)? + size(&method.results)?;
     }
-    ways[1].bytes += size(&folder.join(arrays))?;
-    write_report(report, &ways)?;
+    methods[1].bytes += size(&folder.join(arrays))?;
+    write_report(report, &methods)?;
     Ok(())
 }
 
-fn write_report(report: &mut String, ways: &[Way; 2]) -> std::fmt::Result {
+fn write_report(report: &mut String, methods: &[Method; 2]) -> std::fmt::Result {
     let Generated { of, connectors, states } = SCENE;
     writeln!(
         report,
@@ -87,14 +87,18 @@ fn write_report(report: &mut String, ways: &[Way; 2]) -> std::fmt::Result {
          |---|---:|---:|---:|---:|---:|",
         of.kind()
     )?;
-    for way in ways {
-        let [least, median, most] = spread(&way.milliseconds);
-        let peak = way.peak.map_or_else(|| ["–".into(), "–".into()], |peak| over(peak, way.bytes));
-        let files = megabytes(way.bytes);
+    for method in methods {
+        let [least, median, most] = spread(&method.milliseconds);
+        let peak = method.peak.map_or_else(|| ["–".into(), "–".into()], |peak| over(peak, method.bytes));
+        let files = megabytes(method.bytes);
         let [peak, ratio] = peak;
-        writeln!(report, "| {} | {median:.0} | {least:.0} to {most:.0} | {files:.1} | {peak} | {ratio} |", way.name)?;
+        writeln!(
+            report,
+            "| {} | {median:.0} | {least:.0} to {most:.0} | {files:.1} | {peak} | {ratio} |",
+            method.name
+        )?;
     }
-    let [json, columns] = ways;
+    let [json, columns] = methods;
     let ratios: Vec<_> =
         json.milliseconds.iter().zip(&columns.milliseconds).map(|(json, columns)| json / columns).collect();
     let [least, median, most] = spread(&ratios);

@@ -45,13 +45,13 @@ fn verify_is_told_whether_anything_is_wrong() {
             link(&format!("golden/{}", file.to_str().unwrap()));
         }
     }
-    let told = std::process::Command::new(std::env::current_exe().unwrap())
+    let output = std::process::Command::new(std::env::current_exe().unwrap())
         .args(["--exact", "statements::tests::what_is_wrong_is_said", "--nocapture"])
         .env(FOLDER, folder.path())
         .output()
         .unwrap();
-    let said = String::from_utf8_lossy(&told.stderr).into_owned();
-    assert!(told.status.success() && said.contains("slot.stop"), "{said}");
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(output.status.success() && said.contains("slot.stop"), "{said}");
 }
 
 /// The folder of a project with a fault.

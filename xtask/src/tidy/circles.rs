@@ -44,7 +44,7 @@ fn levels<'a>(uses: &Uses<'a>) -> BTreeMap<&'a str, Uses<'a>> {
     let folders: BTreeSet<&str> = uses.keys().flat_map(|&(from, to)| [from, to]).flat_map(folders_of).collect();
     let mut levels = BTreeMap::<_, Uses<'_>>::new();
     for (&(from, to), &place) in uses {
-        let (from, to) = (way(from, &folders), way(to, &folders));
+        let (from, to) = (path(from, &folders), path(to, &folders));
         let Some(part) = from.iter().zip(&to).position(|(from, to)| from != to) else { continue };
         let level = if part == 0 { "" } else { from[part - 1] };
         levels.entry(level).or_default().entry((from[part], to[part])).or_insert(place);
@@ -58,7 +58,7 @@ fn folders_of(file: &str) -> impl Iterator<Item = &str> {
 }
 
 /// The folders around a file, and the file. `a.rs` is in the folder `a/` if there is one.
-fn way<'a>(file: &'a str, folders: &BTreeSet<&'a str>) -> Vec<&'a str> {
+fn path<'a>(file: &'a str, folders: &BTreeSet<&'a str>) -> Vec<&'a str> {
     let own = file.strip_suffix(".rs").and_then(|stem| folders.get(format!("{stem}/").as_str()));
     folders_of(file).chain(own.copied()).chain([file]).collect()
 }

@@ -67,7 +67,7 @@ impl<N: Copy + Ord> Graph<N> {
 
     /// The shortest cycle through the use of `to` by `from`, starting at its least node.
     fn circle(&self, from: N, to: N) -> Option<Vec<N>> {
-        let mut back = self.way(to, from)?;
+        let mut back = self.path(to, from)?;
         let (least, _) = back.iter().enumerate().min_by_key(|(_, node)| **node)?;
         back.rotate_left(least);
         Some(back)
@@ -78,12 +78,12 @@ impl<N: Copy + Ord> Graph<N> {
         self.uses
             .keys()
             .copied()
-            .filter(|&other| self.way(node, other).is_some() && self.way(other, node).is_some())
+            .filter(|&other| self.path(node, other).is_some() && self.path(other, node).is_some())
             .collect()
     }
 
     /// The shortest path, including both ends.
-    fn way(&self, from: N, to: N) -> Option<Vec<N>> {
+    fn path(&self, from: N, to: N) -> Option<Vec<N>> {
         let mut came_from = BTreeMap::from([(from, from)]);
         let mut open = VecDeque::from([from]);
         while let Some(node) = open.pop_front() {
@@ -91,9 +91,9 @@ impl<N: Copy + Ord> Graph<N> {
                 let back = std::iter::successors(Some(to), |node| {
                     came_from.get(node).copied().filter(|before| before != node)
                 });
-                let mut way: Vec<N> = back.collect();
-                way.reverse();
-                return Some(way);
+                let mut path: Vec<N> = back.collect();
+                path.reverse();
+                return Some(path);
             }
             for &next in self.uses.get(&node).into_iter().flatten() {
                 came_from.entry(next).or_insert_with(|| {

@@ -157,7 +157,7 @@ fn layer(path: &str) -> Option<Layer> {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Part {
     /// Formulas and connectors.
-    Room,
+    Formulas,
     /// Code common to all formulas.
     Common,
 }
@@ -165,7 +165,7 @@ pub(super) enum Part {
 /// The role of a library file; `None` for code that depends on formulas and on which they do not depend.
 pub(super) fn part(path: &str) -> Option<Part> {
     match layer(path)? {
-        Layer::Element | Layer::Contact | Layer::Connector => Some(Part::Room),
+        Layer::Element | Layer::Contact | Layer::Connector => Some(Part::Formulas),
         Layer::Ground | Layer::Formula | Layer::Proof | Layer::Toolkit if !path.starts_with("src/toolkit/measure") => {
             Some(Part::Common)
         }

@@ -22,22 +22,22 @@ pub(crate) fn reach(project: &Project) -> anyhow::Result<BTreeMap<String, Vec<Pa
         let files = tree.sources.iter().enumerate();
         files.filter(|(_, source)| part(&source.path) == Some(wanted)).map(|(file, _)| file).collect()
     };
-    let (common, rooms) = (of_part(Part::Common), of_part(Part::Room));
+    let (common, modules) = (of_part(Part::Common), of_part(Part::Formulas));
     let of = |id: &str| {
         let defines = |file: &&FileId| {
             let specs = tree.sources[**file].formulas.iter().flat_map(|formula| &formula.spec);
             specs.into_iter().any(|(text, _)| text == id)
         };
-        let Some(&own) = rooms.iter().find(defines) else {
+        let Some(&own) = modules.iter().find(defines) else {
             // It is defined by a macro, so it may depend on anything.
-            return rooms.union(&common).copied().collect();
+            return modules.union(&common).copied().collect();
         };
         let proves =
             |file: &&FileId| tree.sources[**file].proves && uses.get(*file).is_some_and(|to| to.contains(&own));
-        let mut reached: BTreeSet<FileId> = rooms.iter().filter(proves).copied().chain([own]).collect();
+        let mut reached: BTreeSet<FileId> = modules.iter().filter(proves).copied().chain([own]).collect();
         let mut next: Vec<FileId> = reached.iter().copied().collect();
         while let Some(file) = next.pop() {
-            let fresh = uses.get(&file).into_iter().flatten().filter(|to| rooms.contains(to));
+            let fresh = uses.get(&file).into_iter().flatten().filter(|to| modules.contains(to));
             let fresh: Vec<_> = fresh.copied().filter(|to| !reached.contains(to)).collect();
             next.extend(&fresh);
             reached.extend(fresh);
@@ -138,8 +138,11 @@ mod tests {
             sorted(&[&["Cargo.lock", "golden/slot.contact_force.json"], &common, &own])
         );
         // No file defines the other formula, so it may depend on all families.
-        let rooms = ["src/another.rs", "src/other.rs", "src/slot.rs"];
-        assert_eq!(of("slot.friction"), sorted(&[&["Cargo.lock", "golden/slot.friction.json"], &common, &own, &rooms]));
+        let modules = ["src/another.rs", "src/other.rs", "src/slot.rs"];
+        assert_eq!(
+            of("slot.friction"),
+            sorted(&[&["Cargo.lock", "golden/slot.friction.json"], &common, &own, &modules])
+        );
         assert_eq!(reached.len(), 2);
     }
 }

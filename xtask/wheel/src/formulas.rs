@@ -14,10 +14,10 @@ use pyo3::types::PyDict;
 use serde_json::{Value, json};
 
 /// Why a call was rejected, as a dictionary.
-type Told<'py> = Option<Bound<'py, PyDict>>;
+type Refusal<'py> = Option<Bound<'py, PyDict>>;
 
 /// The result, or why there is none.
-type OrTold<'py, T> = PyResult<(Option<T>, Told<'py>)>;
+type OrRefusal<'py, T> = PyResult<(Option<T>, Refusal<'py>)>;
 
 /// The formula at this index.
 pub(crate) fn formula(place: usize) -> PyResult<&'static dyn AnyFormula> {
@@ -77,20 +77,20 @@ pub(crate) fn kinks(py: Python<'_>, place: usize) -> PyResult<String> {
 
 /// The outputs at one point, by components in order, or why it is rejected.
 #[pyfunction]
-pub(crate) fn value_at(py: Python<'_>, place: usize, inputs: Vec<f64>) -> OrTold<'_, Vec<f64>> {
+pub(crate) fn value_at(py: Python<'_>, place: usize, inputs: Vec<f64>) -> OrRefusal<'_, Vec<f64>> {
     one(py, formula(place)?.value(&inputs))
 }
 
 /// Outputs and Jacobian at one point, as in [`value_at`].
 #[pyfunction]
-pub(crate) fn linearize_at(py: Python<'_>, place: usize, inputs: Vec<f64>) -> OrTold<'_, (Vec<f64>, Vec<f64>)> {
+pub(crate) fn linearize_at(py: Python<'_>, place: usize, inputs: Vec<f64>) -> OrRefusal<'_, (Vec<f64>, Vec<f64>)> {
     one(py, formula(place)?.value_and_jacobian(&inputs))
 }
 
-fn one<T>(py: Python<'_>, results: Result<T, Error>) -> OrTold<'_, T> {
+fn one<T>(py: Python<'_>, results: Result<T, Error>) -> OrRefusal<'_, T> {
     match results {
         Ok(results) => Ok((Some(results), None)),
-        Err(error) => Ok((None, Refused::new(0, error, 1).told(py)?)),
+        Err(error) => Ok((None, Refused::new(0, error, 1).into_dict(py)?)),
     }
 }
 
@@ -105,7 +105,7 @@ pub(crate) fn over_arrays<'py>(
     inputs: Vec<PyReadonlyArrayDyn<'py, f64>>,
     mut outputs: Vec<PyReadwriteArrayDyn<'py, f64>>,
     mut jacobian: Option<PyReadwriteArrayDyn<'py, f64>>,
-) -> PyResult<Told<'py>> {
+) -> PyResult<Refusal<'py>> {
     let formula = formula(place)?;
     let batch = &BATCHES[place];
     let mut columns = Vec::new();
@@ -128,7 +128,7 @@ pub(crate) fn over_arrays<'py>(
     }
     let call = Call::new(&shape, columns, results).ok_or_else(another_shape)?;
     let refused = py.detach(|| call.run(batch, with_jacobian));
-    refused.map_err(|error| PyRuntimeError::new_err(error.to_string()))?.told(py)
+    refused.map_err(|error| PyRuntimeError::new_err(error.to_string()))?.into_dict(py)
 }
 
 /// Selects the arrays of a Jacobian that belong to these entries, which are in order.
@@ -162,7 +162,7 @@ pub(crate) fn exact(
     place: usize,
     inputs: Vec<f64>,
     with_jacobian: bool,
-) -> OrTold<'_, (Vec<String>, Option<Vec<String>>)> {
+) -> OrRefusal<'_, (Vec<String>, Option<Vec<String>>)> {
     let formula = formula(place)?;
     let truth = py.detach(|| formula.judge().at(&inputs, with_jacobian));
     let numbers =

@@ -24,18 +24,18 @@ impl Refused {
     }
 
     /// The error of the first rejected row, as a dictionary; `None` if none is rejected.
-    pub(crate) fn told(self, py: Python<'_>) -> PyResult<Option<Bound<'_, PyDict>>> {
+    pub(crate) fn into_dict(self, py: Python<'_>) -> PyResult<Option<Bound<'_, PyDict>>> {
         let Some(RowError { row, error }) = self.first else { return Ok(None) };
-        let told = PyDict::new(py);
+        let dict = PyDict::new(py);
         let (input, value, allowed) = named(&error);
-        told.set_item("row", row)?;
-        told.set_item("count", self.count)?;
-        told.set_item("kind", error.kind())?;
-        told.set_item("input", input)?;
-        told.set_item("value", value)?;
-        told.set_item("allowed", allowed)?;
-        told.set_item("reason", error.to_string())?;
-        Ok(Some(told))
+        dict.set_item("row", row)?;
+        dict.set_item("count", self.count)?;
+        dict.set_item("kind", error.kind())?;
+        dict.set_item("input", input)?;
+        dict.set_item("value", value)?;
+        dict.set_item("allowed", allowed)?;
+        dict.set_item("reason", error.to_string())?;
+        Ok(Some(dict))
     }
 }
 

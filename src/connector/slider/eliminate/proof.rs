@@ -4,7 +4,7 @@ use super::{Coordinates, Eliminate, Increment, Increments, KeptCoordinate, KeptI
 use crate::Octuple;
 use crate::connector::slider::hard::{changes_of_pivots, lines, scenes};
 use crate::connector::slider::{IncrementalConstraint, MovingNodes, Pivots, documented};
-use crate::formula::proof::{Case, Kink, Law, Proved, Way, law};
+use crate::formula::proof::{Case, Kink, Law, Method, Proved, law};
 use crate::formula::{Fields, Formula};
 use nalgebra::Vector3;
 
@@ -23,8 +23,8 @@ impl Proved for Eliminate {
         cases
     }
 
-    fn ways() -> Vec<Way> {
-        vec![Way::new::<Self>(
+    fn methods() -> Vec<Method> {
+        vec![Method::new::<Self>(
             "documented",
             "documented route: t1, t2 and a 2×2 system",
             documented::eliminate,
@@ -99,8 +99,8 @@ impl Proved for Increment {
         cases
     }
 
-    fn ways() -> Vec<Way> {
-        vec![Way::new::<Self>(
+    fn methods() -> Vec<Method> {
+        vec![Method::new::<Self>(
             "documented",
             "documented route, m put on the line",
             documented::increment_on_line,

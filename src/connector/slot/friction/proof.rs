@@ -2,7 +2,7 @@
 
 use super::{Contact, ContactForce, ContactForces, CrossForces, Friction, NormalForce, SlotLoads};
 use crate::formula::Formula;
-use crate::formula::proof::{Case, Kink, Law, Proved, Way, hard, law};
+use crate::formula::proof::{Case, Kink, Law, Method, Proved, hard, law};
 use crate::number::scalar::{Scalar, norm};
 
 impl Proved for ContactForce {
@@ -37,8 +37,8 @@ impl Proved for ContactForce {
         )]
     }
 
-    fn ways() -> Vec<Way> {
-        vec![Way::new::<Self>("plain", "plain square root of the sum", plain_contact_force, plain_contact_force)]
+    fn methods() -> Vec<Method> {
+        vec![Method::new::<Self>("plain", "plain square root of the sum", plain_contact_force, plain_contact_force)]
     }
 }
 

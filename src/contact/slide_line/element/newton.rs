@@ -190,7 +190,7 @@ impl LineContact {
             }
             let s11 = self.pressure(-foot.separation);
             let [k_stick, mu] = [self.k_stick, self.mu].map(|x| Term::constant(D::from(x)));
-            let (du, f_before) = (S::way(nodes[slave], segment, before.g, foot.g), Term::constant(before.s12));
+            let (du, f_before) = (S::path_length(nodes[slave], segment, before.g, foot.g), Term::constant(before.s12));
             let s12 = if s11.value > 0.0 {
                 chain::<Response, _, K>(&Sliding { du, f_before, k_stick, mu, r#fn: s11 }).f
             } else {

@@ -98,8 +98,8 @@ impl SlideLine {
     /// [`Error::Increment`]: an increment of 0, of the wrong sign, or that misses `last`; [`Error::NodeCount`] as in
     /// [`Self::new`].
     pub fn generate(interpolation: Interpolation, first: u32, last: u32, increment: i64) -> Result<Self, Error> {
-        let way = i64::from(last) - i64::from(first);
-        let steps = way.checked_div(increment).filter(|&steps| steps >= 0 && steps * increment == way);
+        let path_length = i64::from(last) - i64::from(first);
+        let steps = path_length.checked_div(increment).filter(|&steps| steps >= 0 && steps * increment == path_length);
         let steps = steps.ok_or(Error::Increment { first, last, increment })?;
         let count = usize::try_from(steps).ok().and_then(|steps| steps.checked_add(1));
         let count = count.ok_or(Error::Increment { first, last, increment })?;

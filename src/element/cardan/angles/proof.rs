@@ -4,7 +4,7 @@ use super::{Angles, CardanAngles};
 use crate::Octuple;
 use crate::element::cardan::{Triads, rotation, turns};
 use crate::formula::Formula;
-use crate::formula::proof::{Case, Kink, Law, Proved, Way, hard, law};
+use crate::formula::proof::{Case, Kink, Law, Method, Proved, hard, law};
 use crate::number::scalar::Scalar;
 use nalgebra::Vector3;
 use num_dual::DualNum;
@@ -44,8 +44,8 @@ impl Proved for CardanAngles {
         cases
     }
 
-    fn ways() -> Vec<Way> {
-        vec![Way::new::<Self>("unguarded", "plain arc sine and arc tangent", unguarded, unguarded)]
+    fn methods() -> Vec<Method> {
+        vec![Method::new::<Self>("unguarded", "plain arc sine and arc tangent", unguarded, unguarded)]
     }
 
     fn invalid_cases() -> Vec<Case<Triads<f64>>> {

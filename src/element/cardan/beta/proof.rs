@@ -3,7 +3,7 @@
 use super::{Beta, BetaAxes, BetaTwoArgument};
 use crate::Octuple;
 use crate::element::cardan::turns;
-use crate::formula::proof::{Case, Kink, Law, Proved, Way, law};
+use crate::formula::proof::{Case, Kink, Law, Method, Proved, law};
 use crate::formula::{Fields, Formula};
 use crate::number::scalar::{Scalar, norm};
 use nalgebra::Vector3;
@@ -35,8 +35,8 @@ impl Proved for BetaTwoArgument {
         cases
     }
 
-    fn ways() -> Vec<Way> {
-        vec![Way::of_value::<Self>("arc-sine", "plain arc sine", arc_sine)]
+    fn methods() -> Vec<Method> {
+        vec![Method::of_value::<Self>("arc-sine", "plain arc sine", arc_sine)]
     }
 
     fn invalid_cases() -> Vec<Case<BetaAxes<f64>>> {

@@ -57,8 +57,8 @@ fn vectors_and_changes_that_may_be_any_are_of_either_sign() {
 fn a_claim_is_made_of_each_relation_and_number() {
     let claims = read(r"a = b = c,\quad b \ge c", "a, b, c");
     let all = claims.at(&claims.point(&[], None, &exact(&[2.0, 2.0, 3.0])));
-    let told: Vec<_> = all.iter().map(|claim| (claim.text, claim.is_equality, claim.holds)).collect();
-    assert_eq!(told, [("a = b", true, true), ("b = c", true, false), (r"b \ge c", false, false)]);
+    let found: Vec<_> = all.iter().map(|claim| (claim.text, claim.is_equality, claim.holds)).collect();
+    assert_eq!(found, [("a = b", true, true), ("b = c", true, false), (r"b \ge c", false, false)]);
     assert_eq!([all[1].left, all[1].right, all[2].right].map(Octuple::to_f64), [2.0, 3.0, 3.0]);
     // A vector has components, and may be compared with 0 as a number or as the zero vector.
     for zero in ["0", r"\mathbf{0}", "(0, 0, 0)"] {
@@ -133,8 +133,8 @@ fn the_code_is_what_an_output_means() {
     let claims = claims.unwrap();
     let code = [exact(&[7.0]), exact(&[8.0, 9.0])];
     let point = claims.point(&exact(&[3.0, 4.0]), Some([&code[0], &code[1]]), &exact(&[7.0]));
-    let told: Vec<_> = claims.at(&point).iter().map(|claim| (claim.left.to_f64(), claim.holds)).collect();
-    assert_eq!((point.len(), told), (2 + 1 + 2 + 1, vec![(7.0, true), (9.0, false)]));
+    let found: Vec<_> = claims.at(&point).iter().map(|claim| (claim.left.to_f64(), claim.holds)).collect();
+    assert_eq!((point.len(), found), (2 + 1 + 2 + 1, vec![(7.0, true), (9.0, false)]));
     // If nothing is known of it, its numbers are NaN.
     let point = claims.point(&exact(&[3.0, 4.0]), None, &exact(&[7.0]));
     assert_eq!(point.iter().map(|x| x.is_nan()).collect::<Vec<_>>(), [false, false, true, true, true, false]);
@@ -198,9 +198,9 @@ fn two_forms_of_a_definition_are_compared_even_if_nobody_needs_it() {
     };
     let claims = Claims::read("a = a", &setting).unwrap();
     let all = claims.at(&claims.point(&[], None, &exact(&[3.0])));
-    let told: Vec<_> =
+    let found: Vec<_> =
         all.iter().map(|claim| (claim.text, claim.left.to_f64(), claim.right.to_f64(), claim.is_equality)).collect();
-    assert_eq!(told, [("a = a", 3.0, 3.0, true), ("two forms of a definition", 6.0, 6.0, true)]);
+    assert_eq!(found, [("a = a", 3.0, 3.0, true), ("two forms of a definition", 6.0, 6.0, true)]);
 }
 
 #[test]

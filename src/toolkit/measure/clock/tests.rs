@@ -1,7 +1,7 @@
 //! Contestants of known cost, timed by a clock that measures the work they have done.
 
 use super::*;
-use crate::toolkit::measure::{Errors, Figures, WayFigures};
+use crate::toolkit::measure::{Errors, Figures, MethodFigures};
 use std::cell::Cell;
 use std::rc::Rc;
 
@@ -29,14 +29,14 @@ fn no_figures() -> Figures {
 }
 
 /// The times of methods with these costs of value and Jacobian.
-fn timed(ways: &[(&'static str, Cost, Cost)], options: &Options) -> Measurement {
+fn timed(methods: &[(&'static str, Cost, Cost)], options: &Options) -> Measurement {
     let work = Work::default();
     let of = |&(id, value, jacobian): &(&'static str, Cost, Cost)| {
-        Way::of(id, "").value(kernel(&work, value)).jacobian(kernel(&work, jacobian))
+        Method::of(id, "").value(kernel(&work, value)).jacobian(kernel(&work, jacobian))
     };
-    let kernels: Vec<_> = ways.iter().map(of).collect();
-    let figures = |way: &Way| WayFigures {
-        id: way.id.into(),
+    let kernels: Vec<_> = methods.iter().map(of).collect();
+    let figures = |method: &Method| MethodFigures {
+        id: method.id.into(),
         title: String::new(),
         step: None,
         value: Some(no_figures()),
@@ -51,7 +51,7 @@ fn timed(ways: &[(&'static str, Cost, Cost)], options: &Options) -> Measurement 
         copy: None,
         yardstick: None,
         columns: None,
-        ways: kernels.iter().map(figures).collect(),
+        methods: kernels.iter().map(figures).collect(),
         curves: Vec::new(),
     };
     let hard = |case: &str, x: f64| HardPoint { case: case.into(), inputs: vec![x] };
@@ -97,8 +97,8 @@ fn times_are_nanoseconds_an_evaluation_and_ratios_are_to_the_value_of_the_closed
     let measured = timed(&[("closed", CLOSED, WITH_JACOBIAN), ("ad", SLOW, |_| 2e5)], &options());
     let expected = [("closed", 10.0, 30.0), ("ad", 700.0, 2e5)];
     for (id, value, jacobian) in expected {
-        let way = measured.way(id).unwrap();
-        for (figures, time) in [(&way.value, value), (&way.jacobian, jacobian)] {
+        let method = measured.method(id).unwrap();
+        for (figures, time) in [(&method.value, value), (&method.jacobian, jacobian)] {
             let figures = figures.as_ref().unwrap();
             assert_time(figures.time, time);
             assert_time(figures.ratio, time / 10.0);
@@ -111,7 +111,7 @@ fn times_are_nanoseconds_an_evaluation_and_ratios_are_to_the_value_of_the_closed
 #[test]
 fn every_hard_point_is_timed_alone_in_units_of_random_ones() {
     let measured = timed(&[("closed", CLOSED, WITH_JACOBIAN), ("checked", SLOW, SLOW), ("ad", SLOW, SLOW)], &options());
-    let closed = measured.way("closed").unwrap();
+    let closed = measured.method("closed").unwrap();
     for (figures, factor) in [(&closed.value, 1.0), (&closed.jacobian, 3.0)] {
         let figures = figures.as_ref().unwrap();
         let times: Vec<_> = figures.hard_times.iter().map(|at| (at.case.as_str(), at.ordinary)).collect();
@@ -123,7 +123,7 @@ fn every_hard_point_is_timed_alone_in_units_of_random_ones() {
         // Points that do not occur in models do not count.
         assert_eq!(figures.hardest().map(|at| at.case.as_str()), Some("far"));
     }
-    let timed_at_hard = |id| measured.way(id).unwrap().value.as_ref().unwrap().hard_times.len();
+    let timed_at_hard = |id| measured.method(id).unwrap().value.as_ref().unwrap().hard_times.len();
     assert_eq!(["closed", "checked", "ad"].map(timed_at_hard), [3, 3, 0]);
 }
 
@@ -141,7 +141,7 @@ fn the_spread_is_that_of_the_rounds() {
         move || work.get()
     };
     let pace = Pace { points: 4, turn_ns: 1e4, every: 1, rounds: 11 };
-    let task = Task { way: "closed", with_jacobian: false, hard: None };
+    let task = Task { method: "closed", with_jacobian: false, hard: None };
     let [mut steady, mut growing] = [0.0, 10.0].map(|growth| Contestant::new(task, runner(growth), pace, &clock));
     for k in 0..11_u8 {
         round.set(f64::from(k));
@@ -160,7 +160,7 @@ fn the_spread_is_that_of_the_rounds() {
 #[test]
 fn turns_are_as_long_as_they_should_be() {
     let pace = Pace { points: 100, turn_ns: 1e4, every: 1, rounds: 40 };
-    let task = Task { way: "ad", with_jacobian: false, hard: None };
+    let task = Task { method: "ad", with_jacobian: false, hard: None };
     // Cost of an evaluation; points per call, calls per turn, and rounds per turn.
     for (cost, expected) in [
         (1.0, (100, 100, 1)),
@@ -215,7 +215,7 @@ fn no_contestant_always_follows_the_same() {
 #[test]
 fn ratios_are_of_times_of_one_round() {
     let of = |every, samples: &[(usize, f64)]| {
-        let task = Task { way: "ad", with_jacobian: true, hard: None };
+        let task = Task { method: "ad", with_jacobian: true, hard: None };
         Contestant { task, run: Box::new(|_| ()), points: 1, calls: 1, every, samples: samples.to_vec() }
     };
     let unit = of(1, &[(0, 2.0), (1, 8.0), (2, 4.0), (4, 16.0)]);
@@ -225,7 +225,7 @@ fn ratios_are_of_times_of_one_round() {
 #[test]
 fn four_turns_tell_how_long_one_is() {
     let pace = Pace { points: 100, turn_ns: 1e4, every: 1, rounds: 40 };
-    let task = Task { way: "ad", with_jacobian: false, hard: None };
+    let task = Task { method: "ad", with_jacobian: false, hard: None };
     // Two calls fill a turn, after an untimed one; or a single long one does.
     for (cost, expected, first) in [(40.0, &[1, 1, 1, 1, 100, 100, 100, 100][..], 3), (500.0, &[1; 4][..], 1)] {
         let (work, counts) = (Work::default(), Rc::new(std::cell::RefCell::new(Vec::new())));
@@ -296,7 +296,7 @@ fn both_halves_count_alike() {
         let mut half = timed(&[("closed", CLOSED, WITH_JACOBIAN)], &options());
         half.copy = time(3.0 * scale, 2.0 * scale, 5.0 * scale);
         half.yardstick = time(12.0 * scale, 11.0 * scale, 13.0 * scale);
-        let figures = half.ways[0].value.as_mut().unwrap();
+        let figures = half.methods[0].value.as_mut().unwrap();
         figures.time = time(10.0 * scale, 9.0 * scale, 12.0 * scale);
         figures.ratio = time(1.0 * scale, 0.9 * scale, 1.2 * scale);
         let at = &mut figures.hard_times[2];
@@ -305,11 +305,11 @@ fn both_halves_count_alike() {
     };
     let both = half(1.0).and(&half(2.0));
     assert_eq!((both.copy, both.yardstick), (time(4.5, 2.0, 10.0), time(18.0, 11.0, 26.0)));
-    let figures = both.ways[0].value.as_ref().unwrap();
+    let figures = both.methods[0].value.as_ref().unwrap();
     assert_eq!((figures.time, figures.ratio), (time(15.0, 9.0, 24.0), time(1.5, 0.9, 2.4)));
     assert_eq!(Some(figures.hard_times[2].time), time(600.0, 400.0, 800.0));
     assert_eq!(Some(figures.hard_times[2].ratio), time(60.0, 40.0, 80.0));
-    let jacobian = both.ways[0].jacobian.as_ref().unwrap();
+    let jacobian = both.methods[0].jacobian.as_ref().unwrap();
     assert_time(jacobian.time, 30.0);
     assert_eq!(half(2.0).and(&half(1.0)), half(1.0).and(&half(2.0)));
     // Nothing is invented for a half without times.

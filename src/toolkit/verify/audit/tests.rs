@@ -27,7 +27,9 @@ fn one_claim_that_fails_is_enough() {
 fn a_single_point_is_looked_at_by_itself() {
     let audit = at(3.0, 4.0);
     assert_eq!((audit.named_points, audit.searched_points, audit.random_points, audit.seed), (1, 0, 0, 0));
-    assert!(audit.scaled.is_empty() && audit.finite.is_none() && audit.looked.is_none() && audit.register.is_none());
+    assert!(
+        audit.scaled.is_empty() && audit.finite.is_none() && audit.examination.is_none() && audit.register.is_none()
+    );
     assert_eq!(
         (audit.closed_against_ad.unwrap().checks, audit.ad_against_differences.checks, audit.eta.checks),
         (2, 2, 2)
@@ -189,8 +191,8 @@ fn kinks_are_searched_from_random_points_by_the_first_part() {
         let shard = Shard::new(index, 2).expect("there is one");
         let (audit, comparisons) = audit_share(&subject, &Options { samples, seed: 1 }, shard);
         assert!(!comparisons.is_empty());
-        let searched = match audit.looked {
-            Some(Looked::Graph { search, .. }) => Some(search.points),
+        let searched = match audit.examination {
+            Some(Examination::Graph { search, .. }) => Some(search.points),
             _ => None,
         };
         (searched, audit.searched_points, audit.named_points, audit.random_points)

@@ -248,7 +248,7 @@ mod tests {
     }
 
     /// The jump on a kink at a point, crossed in this direction.
-    fn told(value: Function, jacobian: Function, at: [f64; 3], across: [f64; 3]) -> Option<Sides> {
+    fn sides_of(value: Function, jacobian: Function, at: [f64; 3], across: [f64; 3]) -> Option<Sides> {
         sides(&planted(value, jacobian), &kink("x = y", |_| false, at, across))
     }
 
@@ -257,21 +257,22 @@ mod tests {
         let jump = |output, input, sides| Some(Sides { rank: Rank::Slope, output, input, sides });
         // |x − y| in units of length and of force.
         let absolute: Function = |i| vec![number(0.0), (i[0] - i[1]).abs()];
-        assert_eq!(told(absolute, FLAT, [2.0, 2.0, 1.0], X), jump(1, 0, [-1.0, 1.0]));
-        assert_eq!(told(absolute, FLAT, [2.0, 2.0, 1.0], Y), jump(1, 1, [-1.0, 1.0]));
+        assert_eq!(sides_of(absolute, FLAT, [2.0, 2.0, 1.0], X), jump(1, 0, [-1.0, 1.0]));
+        assert_eq!(sides_of(absolute, FLAT, [2.0, 2.0, 1.0], Y), jump(1, 1, [-1.0, 1.0]));
         // An input that does not cross it is used if no other shows a jump.
         let other: Function = |i| vec![i[0].abs() * -3.0, i[1]];
-        assert_eq!(told(other, FLAT, [0.0, 2.0, 1.0], Y), jump(0, 0, [3.0, -3.0]));
+        assert_eq!(sides_of(other, FLAT, [0.0, 2.0, 1.0], Y), jump(0, 0, [3.0, -3.0]));
         // The largest over all outputs and inputs, and the first of equal ones.
         let some: Function = |i| vec![i[0].abs() + i[0] * 9.0, i[0].abs() + i[2]];
-        assert_eq!(told(some, FLAT, [0.0, 2.0, 1.0], X), jump(1, 0, [-1.0, 1.0]));
+        assert_eq!(sides_of(some, FLAT, [0.0, 2.0, 1.0], X), jump(1, 0, [-1.0, 1.0]));
         let same: Function = |i| vec![i[0].abs(), i[0].abs()];
-        assert_eq!(told(same, FLAT, [0.0, 2.0, 1.0], X), jump(0, 0, [-1.0, 1.0]));
+        assert_eq!(sides_of(same, FLAT, [0.0, 2.0, 1.0], X), jump(0, 0, [-1.0, 1.0]));
     }
 
     #[test]
     fn a_value_that_jumps_comes_before_its_derivatives_and_these_one_by_one() {
-        let rank = |value, jacobian| told(value, jacobian, [0.0, 2.0, 1.0], X).map(|sides| (sides.rank, sides.sides));
+        let rank =
+            |value, jacobian| sides_of(value, jacobian, [0.0, 2.0, 1.0], X).map(|sides| (sides.rank, sides.sides));
         let step: Function = |i| vec![number(if i[0] > 0.0 { 3.0 } else { 1.0 }) + i[0].abs(), number(0.0)];
         assert_eq!(rank(step, FLAT), Some((Rank::Value, [1.0, 3.0])));
         // x |x|, whose slope is 2 |x|.
@@ -283,9 +284,9 @@ mod tests {
 
     #[test]
     fn a_part_in_a_thousand_million_is_no_jump() {
-        let is_told = |value| told(value, FLAT, [0.0, 2.0, 1.0], X).is_some();
-        assert!(is_told(|i| vec![i[0] + i[0].abs() * 2e-9, i[1]]));
-        assert!(!is_told(|i| vec![i[0] + i[0].abs() * 5e-10, i[1]]));
+        let has_sides = |value| sides_of(value, FLAT, [0.0, 2.0, 1.0], X).is_some();
+        assert!(has_sides(|i| vec![i[0] + i[0].abs() * 2e-9, i[1]]));
+        assert!(!has_sides(|i| vec![i[0] + i[0].abs() * 5e-10, i[1]]));
     }
 
     /// x and c are inside their domains, y is at an end of its domain.

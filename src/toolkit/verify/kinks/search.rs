@@ -141,8 +141,8 @@ impl<'a> Looking<'a> {
         let is_inside = |at: &[Octuple]| candidate.pairs.len() == 1 && self.is_valid_beside(at);
         let is_met = |at: &Vec<Octuple>| {
             let doubles = rounded(at);
-            let is_told = !is_refused || exact(&doubles) == *at || is_inside(at);
-            let is_valid = (self.subject.check)(&doubles).is_ok() && is_told;
+            let is_certain = !is_refused || exact(&doubles) == *at || is_inside(at);
+            let is_valid = (self.subject.check)(&doubles).is_ok() && is_certain;
             is_valid && {
                 let all = self.graph.results(&doubles, self.of_value.iter().copied());
                 let is_on_side = candidate.negative.is_none_or(|node| all[node.index()] < 0.0);

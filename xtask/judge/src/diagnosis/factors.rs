@@ -32,9 +32,10 @@ pub(super) fn cause(evidence: &Evidence<'_>, off: &[usize]) -> Option<String> {
             None => groups.push((factor, vec![place])),
         }
     }
-    let told = groups.iter().map(|(factor, places)| Some(format!("{} {}", word(*factor)?, whose(evidence, places))));
-    let told: Vec<_> = told.collect::<Option<_>>()?;
-    (!told.is_empty() && told.len() <= GROUPS).then(|| told.join("; "))
+    let described =
+        groups.iter().map(|(factor, places)| Some(format!("{} {}", word(*factor)?, whose(evidence, places))));
+    let described: Vec<_> = described.collect::<Option<_>>()?;
+    (!described.is_empty() && described.len() <= GROUPS).then(|| described.join("; "))
 }
 
 /// The constant factor of a number at all samples.

@@ -211,14 +211,14 @@ mod tests {
         let of = |(id, at): (&str, &[f64])| {
             let formula = jointproof::catalog::find(id).unwrap();
             let graph = formula.graph().unwrap();
-            let told = |mistake: Mistake| {
+            let described = |mistake: Mistake| {
                 let altered = graph.altered(mistake.place, &mistake.instead);
                 let all = altered.results(at, altered.needed(&altered.value));
                 let values: Vec<_> = altered.value.iter().map(|node| format!("{:.5}", all[node.index()])).collect();
                 format!("  {:?}: {}: {}\n", mistake.sort, mistake.what, values.join(" "))
             };
             let mistakes = mistakes(&graph, formula.inputs(), &graph.value);
-            format!("{id}\n{}", mistakes.into_iter().map(told).collect::<String>())
+            format!("{id}\n{}", mistakes.into_iter().map(described).collect::<String>())
         };
         let formulas: [(&str, &[f64]); 5] = [
             ("slot.friction", &[-7.0, 3.0, 4.5, -1.5, 0.3]),

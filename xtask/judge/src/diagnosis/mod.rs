@@ -44,16 +44,16 @@ pub(super) fn diagnose(court: &Court<'_>, answers: &[Vec<Answer>; 2], verdict: &
 /// One mistake for everything; else one for the value and one for the Jacobian.
 fn explain(evidence: &Evidence<'_>) -> Vec<String> {
     let count = evidence.samples.len();
-    let told = |what: String| format!("{what}: this explains all {count} points looked at");
+    let described = |what: String| format!("{what}: this explains all {count} points looked at");
     if let Some(what) = cause(evidence, &evidence.off) {
-        return vec![told(what)];
+        return vec![described(what)];
     }
     let [value, rest] = evidence.parts().map(|part| evidence.off_in(&part));
     if value.is_empty() || rest.is_empty() {
         return vec!["unexplained".into()];
     }
     let of = |part: &str, off: &[usize]| match cause(evidence, off) {
-        Some(what) => told(format!("{part}: {what}")),
+        Some(what) => described(format!("{part}: {what}")),
         None => format!("{part}: unexplained"),
     };
     vec![of("value", &value), of("Jacobian", &rest)]

@@ -151,7 +151,7 @@ fn pairs(fields: &[Field]) -> Vec<(String, usize, usize)> {
 /// Every wrong entry contains another entry of the Jacobian, or its opposite.
 pub(super) fn entries(evidence: &Evidence<'_>, off: &[usize]) -> Option<String> {
     let [value, rest] = evidence.parts();
-    let mut told = Vec::new();
+    let mut described = Vec::new();
     for &place in off {
         let samples = evidence.off_samples(&[place]);
         let part = if value.contains(&place) { value.clone() } else { rest.clone() };
@@ -163,9 +163,9 @@ pub(super) fn entries(evidence: &Evidence<'_>, off: &[usize]) -> Option<String> 
         };
         let (source, sign) = part.flat_map(|source| [(source, 1.0), (source, -1.0)]).find(fits)?;
         let sign = if sign.is_sign_negative() { "−" } else { "" };
-        told.push(format!("{} holds {sign}{}", evidence.names[place], list(&evidence.names, &[source].into())));
+        described.push(format!("{} holds {sign}{}", evidence.names[place], list(&evidence.names, &[source].into())));
     }
-    (!told.is_empty() && told.len() <= 4).then(|| format!("an index is wrong: {}", told.join("; ")))
+    (!described.is_empty() && described.len() <= 4).then(|| format!("an index is wrong: {}", described.join("; ")))
 }
 
 /// Whether it merits an exact check.

@@ -19,7 +19,7 @@ fn asked(id: &str, wanted: Wanted, points: &[&[f64]]) -> Vec<Question> {
 }
 
 /// The result of examining the answers to these questions after a mistake.
-fn looked<T>(
+fn diagnosed<T>(
     (id, wanted): (&'static str, Wanted),
     questions: &[Question],
     mistake: impl Fn(&[f64], &mut Numbers),
@@ -38,7 +38,7 @@ fn looked<T>(
 
 /// The causes, one line each.
 fn causes(what: (&'static str, Wanted), points: &[&[f64]], mistake: impl Fn(&[f64], &mut Numbers)) -> Vec<String> {
-    looked(what, &asked(what.0, what.1, points), mistake, |court, answers| {
+    diagnosed(what, &asked(what.0, what.1, points), mistake, |court, answers| {
         let answers = [answers.clone(), answers];
         diagnose(court, &answers, &court.judge(&answers))
     })
@@ -256,7 +256,7 @@ fn beside_a_kink_no_answer_tells() {
 #[test]
 fn the_first_answers_are_explained() {
     let contact = ("slot.contact_force", Wanted::Value);
-    let said = looked(
+    let said = diagnosed(
         contact,
         &asked(contact.0, contact.1, CONTACT),
         |_, y| times(&mut y[0], 2.0),
@@ -274,7 +274,7 @@ fn a_part_of_what_is_right_is_evidence_too() {
     let points: Vec<_> = points.iter().map(<[f64; 2]>::as_slice).collect();
     let contact = ("slot.contact_force", Wanted::Value);
     let mistake = |x: &[f64], y: &mut Numbers| times(&mut y[0], if x[0] < 4.0 { 2.0 } else { 1.0 });
-    let (seen, off) = looked(contact, &asked(contact.0, contact.1, &points), mistake, |court, answers| {
+    let (seen, off) = diagnosed(contact, &asked(contact.0, contact.1, &points), mistake, |court, answers| {
         let both = [answers.clone(), answers];
         let evidence = Evidence::new(court, &both[0], &court.judge(&both));
         (evidence.samples.len(), evidence.off_samples(&evidence.off).len())

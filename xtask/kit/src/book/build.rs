@@ -116,7 +116,7 @@ fn finish(root: &Path, theme: &Path, out: &Path, title: &str, content: &Content,
     for (path, text) in calculator::files(&content.entries) {
         write(&out.join(path), text.as_bytes())?;
     }
-    for (path, text) in moving::files(&content.exhibits.moving) {
+    for (path, text) in moving::files(&content.extras.moving) {
         write(&out.join(path), text.as_bytes())?;
     }
     search::replace(out, content)?;

@@ -66,11 +66,11 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     let mut is_well = true;
     if arguments.check_calculators {
         is_well &= calculator::check(project, out)?
-            .map_or_else(|| Ok(absent()), |checked| told(&checked, checked.is_well()))?;
+            .map_or_else(|| Ok(absent()), |checked| said(&checked, checked.is_well()))?;
     }
     if arguments.check_pages {
         is_well &=
-            visit::check(project, out)?.map_or_else(|| Ok(absent()), |visited| told(&visited, visited.is_well()))?;
+            visit::check(project, out)?.map_or_else(|| Ok(absent()), |visited| said(&visited, visited.is_well()))?;
     }
     if let Some(folder) = &arguments.screenshots {
         match visit::take(project, out, folder)? {
@@ -82,7 +82,7 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
 }
 
 /// Reports the result of a check, and returns whether all is well.
-fn told(found: &impl Display, is_well: bool) -> anyhow::Result<bool> {
+fn said(found: &impl Display, is_well: bool) -> anyhow::Result<bool> {
     console::print(&format!("{} {found}\n", head(is_well)))?;
     Ok(is_well)
 }
@@ -132,7 +132,7 @@ mod tests {
 
     #[test]
     fn what_is_off_is_told_and_no_browser_is_no_fault() {
-        assert!(told(&"all of it", true).unwrap() && !told(&"one part", false).unwrap());
+        assert!(said(&"all of it", true).unwrap() && !said(&"one part", false).unwrap());
         assert!(head(true).contains("ok ") && head(false).contains("off"));
         assert!(absent());
     }

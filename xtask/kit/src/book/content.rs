@@ -5,7 +5,7 @@
 //!
 //! Fields marked *text* contain plain text in which `$…$` is mathematics and `` `…` `` is code.
 
-use crate::extension::Exhibits;
+use crate::extension::Extras;
 use crate::report::data::Report;
 use jointproof::toolkit::verify::Audit;
 
@@ -19,7 +19,7 @@ pub(crate) struct Content {
     /// Tests that run over the whole catalog.
     pub(crate) catalog_tests: Vec<TestRef>,
     /// The project's content in addition to its formulas.
-    pub(crate) exhibits: Exhibits,
+    pub(crate) extras: Extras,
     /// The last report on speed and error.
     pub(crate) report: Option<Report>,
     /// Whether the report is about this version of the code.

@@ -9,8 +9,8 @@ use super::rust;
 use super::source::listing_page;
 use super::speed;
 use crate::extension::Fact;
-use jointproof::toolkit::verify::{Audit, Claim, Looked};
-use judge::looked;
+use jointproof::toolkit::verify::{Audit, Claim, Examination};
+use judge::examination;
 
 /// The entry as one line of HTML.
 pub(crate) fn entry(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
@@ -93,7 +93,7 @@ fn facts(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
 /// The folded evidence: the project's own facts, kinks, golden cases, measurements, laws and tests.
 fn proof(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
     let mut out = String::new();
-    for Fact { name, lines, .. } in pages.content.exhibits.facts.iter().filter(|fact| fact.formula == entry.id) {
+    for Fact { name, lines, .. } in pages.content.extras.facts.iter().filter(|fact| fact.formula == entry.id) {
         let items = each(lines, |line| format!("<li>{}</li>", pages.text(at, line)));
         out += &fact(&escape(name), &format!("<ul>{items}</ul>"));
     }
@@ -124,14 +124,14 @@ fn fact(name: &str, html: &str) -> String {
 
 /// The points where value or derivative jumps, and the convention there; if none is registered, how kinks were searched for.
 fn kinks(pages: &Pages<'_>, at: &Place, kinks: &[Kink], audit: Option<&Audit>) -> String {
-    let looked = audit.filter(|audit| audit.kinks.held()).and_then(|audit| audit.looked.as_ref());
+    let examination = audit.filter(|audit| audit.kinks.held()).and_then(|audit| audit.examination.as_ref());
     if kinks.is_empty() {
-        return match looked {
+        return match examination {
             None => "none registered; the search was not run on this version".to_owned(),
-            Some(Looked::NamedPoints { .. }) => {
+            Some(Examination::NamedPoints { .. }) => {
                 "none at the named points; its comparisons were not searched".to_owned()
             }
-            Some(Looked::Graph { .. }) => "none found: differentiable wherever it is defined".to_owned(),
+            Some(Examination::Graph { .. }) => "none found: differentiable wherever it is defined".to_owned(),
         };
     }
     let line = |kink: &Kink| {
@@ -185,7 +185,7 @@ fn evidence(ran: &Evidence) -> String {
     ];
     chips.extend(claims.iter().filter_map(|(what, claim)| Some(format!("{what} {}", worst((*claim)?)))));
     chips.extend(audit.scaled.iter().map(|claim| format!("{}: {}", escape(&claim.claim), worst(claim))));
-    chips.extend(audit.looked.iter().flat_map(looked::lines).map(|line| escape(&line)));
+    chips.extend(audit.examination.iter().flat_map(examination::lines).map(|line| escape(&line)));
     format!("<ul class=\"chips\">{}</ul>", each(chips, |chip| format!("<li>{chip}</li>")))
 }
 

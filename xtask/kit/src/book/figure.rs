@@ -11,13 +11,13 @@ use crate::extension::Moving;
 /// The figure with its caption; a fault if there is no such file, or it cannot be inlined.
 pub(crate) fn figure(pages: &Pages<'_>, at: &Place, folder: &Path, argument: &str) -> String {
     let (name, caption) = argument.split_once(char::is_whitespace).unwrap_or((argument, ""));
-    let exhibits = &pages.content.exhibits;
-    let moving = exhibits.moving.iter().find(|moving| moving.name == name);
-    let made = exhibits.figures.iter().find(|(known, _)| known == name).map(|(_, svg)| svg);
+    let extras = &pages.content.extras;
+    let moving = extras.moving.iter().find(|moving| moving.name == name);
+    let made = extras.figures.iter().find(|(known, _)| known == name).map(|(_, svg)| svg);
     let made = moving.and_then(Moving::still).or(made).cloned();
     let Some(svg) = made.or_else(|| read(folder, name)) else {
-        let made = exhibits.figures.iter().map(|(name, _)| name.clone());
-        let made = made.chain(exhibits.moving.iter().map(|moving| moving.name.clone()));
+        let made = extras.figures.iter().map(|(name, _)| name.clone());
+        let made = made.chain(extras.moving.iter().map(|moving| moving.name.clone()));
         let known: Vec<_> = made.chain(names(folder)).collect();
         pages.fault(at, format!("no figure `{name}`; there are: {}", known.join(", ")));
         return String::new();

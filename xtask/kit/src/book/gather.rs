@@ -44,13 +44,13 @@ pub(crate) fn content(project: &Project, report: Option<Report>) -> anyhow::Resu
             golden.push(GoldenFile { name: format!("{}.json", formula.spec().id), bytes });
         }
     }
-    let mut exhibits = project.extension.exhibits.map(|exhibits| exhibits(project)).transpose()?.unwrap_or_default();
-    for (_, text) in &mut exhibits.outputs {
+    let mut extras = project.extension.extras.map(|extras| extras(project)).transpose()?.unwrap_or_default();
+    for (_, text) in &mut extras.outputs {
         *text = plain(text);
     }
     let is_current = report.as_ref().is_some_and(|report| report.is_current(project));
     let cited = cited(project);
-    Ok(Content { entries, sources, catalog_tests, exhibits, report, is_current, golden, cited })
+    Ok(Content { entries, sources, catalog_tests, extras, report, is_current, golden, cited })
 }
 
 /// Text without colours.

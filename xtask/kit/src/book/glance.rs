@@ -53,7 +53,7 @@ pub(crate) fn uses(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
 pub(crate) fn used_by(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
     let entries = pages.content.entries.iter().filter(|other| other.uses.contains(&entry.id));
     let formulas: Vec<_> = entries.map(|other| pages.link(&at.page, &other.id)).collect();
-    let served: Vec<_> = pages.content.exhibits.served.iter().filter(|served| served.formula == entry.id).collect();
+    let served: Vec<_> = pages.content.extras.served.iter().filter(|served| served.formula == entry.id).collect();
     let mut outputs: Vec<(&str, Vec<&Served>)> = Vec::new();
     for one in served {
         match outputs.iter_mut().find(|(output, _)| *output == one.output) {
@@ -139,7 +139,7 @@ mod tests {
     use super::*;
     use crate::book::content::Content;
     use crate::book::deferred::Deferred;
-    use crate::extension::Exhibits;
+    use crate::extension::Extras;
 
     fn place() -> Place {
         Place { file: "a.md".into(), line: 1, page: "a.html".into() }
@@ -177,8 +177,8 @@ mod tests {
             served("t.a", "U1", "slot", "s.html#3d"),
         ];
         let uses = Entry { id: "t.c".into(), uses: vec!["t.a".into()], ..Entry::default() };
-        let exhibits = Exhibits { served: all, ..Exhibits::default() };
-        let content = Content { entries: vec![uses], exhibits, ..Content::default() };
+        let extras = Extras { served: all, ..Extras::default() };
+        let content = Content { entries: vec![uses], extras, ..Content::default() };
         let later = Deferred::default();
         let pages = Pages::new(&content, &later);
         let of = |id: &str| used_by(&pages, &place(), &Entry { id: id.into(), ..Entry::default() });

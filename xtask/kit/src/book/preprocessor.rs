@@ -108,8 +108,8 @@ impl Formulary {
 
     /// `{{#output name}}`: the output of a program for this build.
     fn output(pages: &Pages<'_>, at: &Place, name: &str) -> String {
-        let Some((_, text)) = pages.content.exhibits.outputs.iter().find(|(known, _)| known == name) else {
-            let known: Vec<_> = pages.content.exhibits.outputs.iter().map(|(name, _)| name.as_str()).collect();
+        let Some((_, text)) = pages.content.extras.outputs.iter().find(|(known, _)| known == name) else {
+            let known: Vec<_> = pages.content.extras.outputs.iter().map(|(name, _)| name.as_str()).collect();
             pages.fault(at, format!("no output `{name}`; there are: {}", known.join(", ")));
             return String::new();
         };
@@ -124,7 +124,7 @@ fn with_texts(content: &Content, chapter: &str) -> String {
     for Found { piece, range, .. } in scan(chapter).0 {
         if let Piece::Directive { name, argument } = piece
             && name == "text"
-            && let Some((_, text)) = content.exhibits.texts.iter().find(|(known, _)| *known == argument)
+            && let Some((_, text)) = content.extras.texts.iter().find(|(known, _)| *known == argument)
         {
             out.extend([&chapter[done..range.start], text]);
             done = range.end;
@@ -150,7 +150,7 @@ fn note_of(pages: &Pages<'_>, at: &Place, mark: &Mark) -> String {
 
 /// An empty text, and a fault: texts with known names were inserted before.
 fn no_text(pages: &Pages<'_>, at: &Place, name: &str) -> String {
-    let known: Vec<_> = pages.content.exhibits.texts.iter().map(|(name, _)| name.as_str()).collect();
+    let known: Vec<_> = pages.content.extras.texts.iter().map(|(name, _)| name.as_str()).collect();
     pages.fault(at, format!("no text `{name}`; there are: {}", known.join(", ")));
     String::new()
 }

@@ -7,7 +7,7 @@ use crate::report::data::Report;
 use crate::report::tables::{duration, spread, step};
 use crate::report::verdict::Verdict;
 use crate::report::{plot, price};
-use jointproof::toolkit::measure::{Errors, Figures, Measurement, Scheme, Time, WayFigures};
+use jointproof::toolkit::measure::{Errors, Figures, Measurement, MethodFigures, Scheme, Time};
 
 /// The folded part of an entry.
 pub(crate) fn folded(pages: &Pages<'_>, entry: &Entry) -> String {
@@ -15,7 +15,7 @@ pub(crate) fn folded(pages: &Pages<'_>, entry: &Entry) -> String {
         return String::new();
     };
     let summary = Verdict::of(measurement).map_or(String::new(), |verdict| {
-        let time = measurement.way("closed").and_then(|way| way.jacobian.as_ref()?.time);
+        let time = measurement.method("closed").and_then(|method| method.jacobian.as_ref()?.time);
         let time = time.map_or(String::new(), |time| duration(time.median));
         format!(": value and Jacobian in {time}, by automatic differentiation {}", times(verdict.speedup))
     });
@@ -23,7 +23,7 @@ pub(crate) fn folded(pages: &Pages<'_>, entry: &Entry) -> String {
     let plots = pages.later.keep(&format!("<div class=\"plots\">{plots}</div>"), "");
     format!(
         "<details class=\"speed\"><summary>Speed against error{summary}</summary>{plots}{}</details>",
-        ways(measurement)
+        methods(measurement)
     )
 }
 
@@ -33,14 +33,14 @@ fn times(ratio: f64) -> String {
 }
 
 /// One row per method.
-fn ways(measurement: &Measurement) -> String {
+fn methods(measurement: &Measurement) -> String {
     let head =
         ["Method", "Value", "With Jacobian", "Spread", "η of value", "hard", "η of Jacobian", "hard", "Relative"];
-    let rows = each(&measurement.ways, |way| {
-        let (value, jacobian) = (way.value.as_ref(), way.jacobian.as_ref());
+    let rows = each(&measurement.methods, |method| {
+        let (value, jacobian) = (method.value.as_ref(), method.jacobian.as_ref());
         let together = jacobian.and_then(|figures| figures.time);
         row(&[
-            ("", escape(&format!("{}{}", way.title, step(way)))),
+            ("", escape(&format!("{}{}", method.title, step(method)))),
             ("figure", time(value.and_then(|figures| figures.time))),
             ("figure", time(together)),
             ("figure", together.map_or(String::new(), spread)),
@@ -184,7 +184,7 @@ fn overall(pages: &Pages<'_>, at: &Place, report: &Report) -> String {
         "Faster, as accurate",
     ];
     let rows = each(&report.formulas, |measurement| {
-        let jacobian = |id| measurement.way(id).and_then(|way| way.jacobian.as_ref());
+        let jacobian = |id| measurement.method(id).and_then(|method| method.jacobian.as_ref());
         let together = |id| jacobian(id).and_then(|figures: &Figures| figures.time);
         let closed = together("closed");
         let ratio = |id| match (closed, together(id)) {
@@ -192,7 +192,8 @@ fn overall(pages: &Pages<'_>, at: &Place, report: &Report) -> String {
             _ => "–".into(),
         };
         let eta = |id| jacobian(id).map_or("–".into(), |figures| number(figures.random.eta.max));
-        let value = measurement.way("closed").and_then(|way| way.value.as_ref()).and_then(|figures| figures.time);
+        let value =
+            measurement.method("closed").and_then(|method| method.value.as_ref()).and_then(|figures| figures.time);
         row(&[
             ("", pages.link(&at.page, &measurement.formula)),
             ("figure", time(measurement.copy)),
@@ -248,18 +249,18 @@ fn differences(report: &Report) -> String {
 fn own(pages: &Pages<'_>, at: &Place, report: &Report) -> String {
     const COMMON: [&str; 9] =
         ["closed", "checked", "single", "ad", "forward", "central", "fourth", "octuple", "octuple-ad"];
-    let others = |measurement: &'_ Measurement| -> Vec<WayFigures> {
-        measurement.ways.iter().filter(|way| !COMMON.contains(&&*way.id)).cloned().collect()
+    let others = |measurement: &'_ Measurement| -> Vec<MethodFigures> {
+        measurement.methods.iter().filter(|method| !COMMON.contains(&&*method.id)).cloned().collect()
     };
     let mut rows = String::new();
     for measurement in &report.formulas {
         let others = others(measurement);
-        let Some(closed) = measurement.way("closed").filter(|_| !others.is_empty()) else { continue };
-        for way in std::iter::once(closed).chain(&others) {
-            let (value, jacobian) = (way.value.as_ref(), way.jacobian.as_ref());
+        let Some(closed) = measurement.method("closed").filter(|_| !others.is_empty()) else { continue };
+        for method in std::iter::once(closed).chain(&others) {
+            let (value, jacobian) = (method.value.as_ref(), method.jacobian.as_ref());
             rows += &row(&[
                 ("", pages.link(&at.page, &measurement.formula)),
-                ("wide", escape(&way.title)),
+                ("wide", escape(&method.title)),
                 ("figure", time(value.and_then(|figures| figures.time))),
                 ("figure", worst(value.map(|figures| &figures.random))),
                 ("figure", worst(value.and_then(|figures| figures.hard.as_ref()))),

@@ -7,7 +7,7 @@ use super::entry::{bound, document, of_every, worst};
 use super::html::{each, escape, number, row, table};
 use super::pages::{Pages, Place};
 use crate::extension::Table;
-use jointproof::toolkit::verify::{Audit, Claim, Looked};
+use jointproof::toolkit::verify::{Audit, Claim, Examination};
 
 /// Links to several formulas.
 fn links(pages: &Pages<'_>, at: &Place, ids: &[&str]) -> String {
@@ -139,11 +139,11 @@ fn bounded(claim: &Claim) -> String {
 
 /// The number of candidates for kinks on which points were found.
 fn crossed(audit: &Audit) -> String {
-    match &audit.looked {
-        Some(Looked::Graph { search, .. }) => {
+    match &audit.examination {
+        Some(Examination::Graph { search, .. }) => {
             format!("{} of {}", search.candidates - search.not_reached.len(), search.candidates)
         }
-        Some(Looked::NamedPoints { .. }) | None => "at named points".into(),
+        Some(Examination::NamedPoints { .. }) | None => "at named points".into(),
     }
 }
 
@@ -167,7 +167,7 @@ pub(crate) fn sources(pages: &Pages<'_>, at: &Place) -> String {
 
 /// `{{#table name}}`: the project's tables with this name.
 pub(crate) fn named(pages: &Pages<'_>, at: &Place, name: &str) -> String {
-    let tables = &pages.content.exhibits.tables;
+    let tables = &pages.content.extras.tables;
     let Some((_, named)) = tables.iter().find(|(known, _)| known == name) else {
         let known: Vec<_> = tables.iter().map(|(name, _)| name.as_str()).collect();
         pages.fault(at, format!("no table `{name}`; there are: {}", known.join(", ")));

@@ -7,7 +7,7 @@ use super::build::{Options, build};
 use super::content::{CodeSpan, Content, Entry, GoldenFile, SourceFile, Symbol};
 use super::fault::Faults;
 use super::output::write;
-use crate::extension::{Exhibits, Fact};
+use crate::extension::{Extras, Fact};
 
 mod printed;
 
@@ -34,14 +34,14 @@ fn content() -> Content {
         entries: vec![first, entry("t.second", "P = f_1")],
         sources: vec![SourceFile { path: "src/t.rs".into(), text }],
         golden: vec![GoldenFile { name: "t.first.json".into(), bytes: b"{}".to_vec() }],
-        exhibits: Exhibits {
+        extras: Extras {
             texts: vec![("note".into(), "## Noted\n\n| a |\n|---|\n| `t.first`, $z$ |\n".into())],
             facts: vec![Fact {
                 formula: "t.first".into(),
                 name: "Said".into(),
                 lines: vec!["see [the `file`](golden/t.first.json), $w$".into()],
             }],
-            ..Exhibits::default()
+            ..Extras::default()
         },
         ..Content::default()
     }

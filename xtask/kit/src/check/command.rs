@@ -98,14 +98,14 @@ enum Format {
 
 /// The results that can be requested, by name.
 fn wanted() -> impl TypedValueParser<Value = Wanted> {
-    let told = |wanted: Wanted| {
+    let described = |wanted: Wanted| {
         PossibleValue::new(wanted.name()).help(match wanted {
             Wanted::Value => "The outputs alone",
             Wanted::Jacobian => "The outputs, then the Jacobian row by row",
             Wanted::Products => "The outputs, then J v and wᵀJ for directions v and w, which follow the inputs",
         })
     };
-    PossibleValuesParser::new(Wanted::ALL.map(told))
+    PossibleValuesParser::new(Wanted::ALL.map(described))
         .map(|name| Wanted::ALL.into_iter().find(|wanted| wanted.name() == name).unwrap_or_default())
 }
 

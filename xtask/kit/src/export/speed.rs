@@ -94,8 +94,8 @@ fn read(printed: &str, times: &mut HashMap<String, Vec<f64>>) -> anyhow::Result<
 /// Jacobian, or the value if the Jacobian is automatic.
 fn checked(report: &Report, spec: &Spec) -> Option<f64> {
     let measured = report.formulas.iter().find(|measured| measured.formula == spec.id)?;
-    let way = measured.way("checked")?;
-    let figures = if spec.is_closed() { way.jacobian.as_ref()? } else { way.value.as_ref()? };
+    let method = measured.method("checked")?;
+    let figures = if spec.is_closed() { method.jacobian.as_ref()? } else { method.value.as_ref()? };
     figures.time.map(|time| time.median)
 }
 
@@ -147,7 +147,7 @@ c.best                                           10.0       46.0    0.22
         let spec = |id| Spec::new(id, "", Document::new("Notes").printed(""));
         let times = ["t.first", "u.second", "v.third"].map(|id| checked(&report, &spec(id).eta(1.0, 1.0)));
         assert_eq!(times, [Some(13.0 * 2.5), Some(13e3 * 2.5), None]);
-        let value = report.formulas[0].way("checked").unwrap().value.as_ref().unwrap().time.unwrap().median;
+        let value = report.formulas[0].method("checked").unwrap().value.as_ref().unwrap().time.unwrap().median;
         assert_eq!(checked(&report, &spec("t.first")), Some(value));
     }
 }

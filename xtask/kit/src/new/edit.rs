@@ -20,21 +20,21 @@ pub(super) fn type_name(name: &str) -> String {
 }
 
 /// A family module with one more submodule and its exports.
-pub(super) fn with_module(room: &str, name: &str) -> Option<String> {
+pub(super) fn with_module(text: &str, name: &str) -> Option<String> {
     let type_name = type_name(name);
     let module = format!("mod {name};\n");
     let export = format!("pub use {name}::{{{type_name}, {type_name}Inputs, {type_name}Outputs}};\n");
-    let first = |starts: &[&str]| offset(room, |line| starts.iter().any(|start| line.starts_with(start)));
+    let first = |starts: &[&str]| offset(text, |line| starts.iter().any(|start| line.starts_with(start)));
     match (first(&["mod ", "pub mod "]), first(&["pub use "])) {
         (Some(module_at), Some(export_at)) if module_at < export_at => {
-            Some(inserted(&inserted(room, export_at, &export), before_attributes(room, module_at), &module))
+            Some(inserted(&inserted(text, export_at, &export), before_attributes(text, module_at), &module))
         }
         (Some(module_at), None) => {
             let export_at = first(&["use "])?;
-            let with_export = inserted(room, export_at, &format!("{export}\n"));
-            Some(inserted(&with_export, before_attributes(room, module_at), &module))
+            let with_export = inserted(text, export_at, &format!("{export}\n"));
+            Some(inserted(&with_export, before_attributes(text, module_at), &module))
         }
-        _ => Some(inserted(room, first(&["use "])?, &format!("{module}\n{export}\n"))),
+        _ => Some(inserted(text, first(&["use "])?, &format!("{module}\n{export}\n"))),
     }
 }
 
@@ -87,10 +87,10 @@ mod tests {
 
     #[test]
     fn rooms_get_a_module_and_its_exports() {
-        let room = "//! Room.\n\n#[cfg(feature = \"verify\")]\nmod proof;\n\npub use a::A;\n\nuse b::B;\n";
+        let text = "//! Room.\n\n#[cfg(feature = \"verify\")]\nmod proof;\n\npub use a::A;\n\nuse b::B;\n";
         let export = "pub use power::{Power, PowerInputs, PowerOutputs};\n";
-        let expected = room.replace("#[cfg", "mod power;\n#[cfg").replace("pub use a", &format!("{export}pub use a"));
-        assert_eq!(with_module(room, "power").unwrap(), expected);
+        let expected = text.replace("#[cfg", "mod power;\n#[cfg").replace("pub use a", &format!("{export}pub use a"));
+        assert_eq!(with_module(text, "power").unwrap(), expected);
         let alone = "//! Room.\n\nuse b::B;\n";
         let expected = alone.replace("use b", &format!("mod power;\n\n{export}\nuse b"));
         assert_eq!(with_module(alone, "power").unwrap(), expected);

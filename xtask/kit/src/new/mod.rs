@@ -6,8 +6,8 @@ use crate::book::coverage::{Directive, directives};
 use crate::book::permalinks;
 use crate::console::{bold, print};
 use crate::files;
+use crate::missing::{is_name, requirements};
 use crate::outcome::{Outcome, Usage, verdict};
-use crate::owed::{demands, is_name};
 use crate::project::Project;
 use anyhow::{Context, bail};
 use std::fmt::Write;
@@ -40,9 +40,9 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
         files::write(&path, &text)?;
         writeln!(report, "{} {}", if is_new { "wrote  " } else { "changed" }, project.shown(&path))?;
     }
-    writeln!(report, "\n{} still owes", bold(id))?;
-    for demand in demands(project).iter().filter(|demand| demand.is_of_author) {
-        writeln!(report, "    {}: {}", demand.what, demand.how(project, id))?;
+    writeln!(report, "\n{} still lacks", bold(id))?;
+    for requirement in requirements(project).iter().filter(|requirement| requirement.is_of_author) {
+        writeln!(report, "    {}: {}", requirement.what, requirement.how(project, id))?;
     }
     writeln!(report, "    its derivative: `jacobian`, and places where it has none in `Proved::kinks`")?;
     writeln!(report, "\ncargo fmt, then {} audit --filter {id} says what is left", project.command())?;
@@ -63,16 +63,16 @@ fn split<'a>(project: &Project, id: &'a str) -> anyhow::Result<(&'a str, &'a str
 /// Every file that is written or changed.
 fn changes(project: &Project, family: &str, name: &str) -> anyhow::Result<Vec<Change>> {
     let source = project.root().join("src");
-    let room = room(&source, family)?.with_context(|| {
+    let module = module(&source, family)?.with_context(|| {
         let shown = project.shown(&source);
         format!("there is no module {family}.rs in {shown}; write it, with what all its formulas share, name it in the crate, and try again")
     })?;
-    let folder = room.with_extension("");
+    let folder = module.with_extension("");
     let (formula, proof) = (folder.join(format!("{name}.rs")), folder.join(format!("{name}/proof.rs")));
     if let Some(present) = [&formula, &proof].into_iter().find(|path| path.exists()) {
         bail!("{} is there already; take another name, or move it away", project.shown(present));
     }
-    let neighbours = read_all(&room)? + &read_all(&folder)?;
+    let neighbours = read_all(&module)? + &read_all(&folder)?;
     let skeleton = |template: &str| edit::filled(template, family, name, &neighbours);
     let catalog = catalog(&source)?;
     let chapter = chapter(project, family)?;
@@ -84,7 +84,7 @@ fn changes(project: &Project, family: &str, name: &str) -> anyhow::Result<Vec<Ch
     let mut changes = vec![
         (formula, skeleton(include_str!("formula.txt"))),
         (proof, skeleton(include_str!("proof.txt"))),
-        changed(&room, edit::with_module(&read(&room)?, name), &format!("`mod {name};`"))?,
+        changed(&module, edit::with_module(&read(&module)?, name), &format!("`mod {name};`"))?,
         changed(
             &catalog,
             edit::with_entry(&read(&catalog)?, family, &type_name),
@@ -106,15 +106,15 @@ fn changes(project: &Project, family: &str, name: &str) -> anyhow::Result<Vec<Ch
 }
 
 /// The file of the family's module: in `src`, or in a folder of `src`.
-fn room(source: &Path, family: &str) -> anyhow::Result<Option<PathBuf>> {
+fn module(source: &Path, family: &str) -> anyhow::Result<Option<PathBuf>> {
     let name = format!("{family}.rs");
     let mut folders = Vec::new();
     for entry in std::fs::read_dir(source)? {
         folders.push(entry?.path());
     }
     folders.sort();
-    let mut rooms = [source.to_path_buf()].into_iter().chain(folders).map(|folder| folder.join(&name));
-    Ok(rooms.find(|room| room.exists()))
+    let mut modules = [source.to_path_buf()].into_iter().chain(folders).map(|folder| folder.join(&name));
+    Ok(modules.find(|module| module.exists()))
 }
 
 /// The file that contains the catalog.

@@ -10,7 +10,7 @@
 use super::data::Report;
 use super::tables::duration;
 use crate::console::{bold, figure, green, red};
-use jointproof::toolkit::measure::{Errors, Figures, Measurement, Time, WayFigures};
+use jointproof::toolkit::measure::{Errors, Figures, Measurement, MethodFigures, Time};
 
 /// The differences of two reports.
 #[derive(Clone, Debug, PartialEq)]
@@ -85,9 +85,9 @@ fn drift(pairs: &[(&Measurement, &Measurement)]) -> Option<f64> {
 }
 
 fn formula(old: &Measurement, new: &Measurement, drift: f64, same_points: bool) -> Vec<Change> {
-    let of_way = |before: &WayFigures| {
+    let of_method = |before: &MethodFigures| {
         let name = format!("{} {}", new.formula, before.id);
-        let Some(now) = new.way(&before.id) else {
+        let Some(now) = new.method(&before.id) else {
             return vec![Change::missing(name)];
         };
         let parts = [("value", &before.value, &now.value), ("Jacobian", &before.jacobian, &now.jacobian)];
@@ -97,7 +97,7 @@ fn formula(old: &Measurement, new: &Measurement, drift: f64, same_points: bool) 
             .flat_map(|(part, before, now)| figures(&format!("{name} {part}"), before, now, drift, same_points))
             .collect()
     };
-    old.ways.iter().flat_map(of_way).collect()
+    old.methods.iter().flat_map(of_method).collect()
 }
 
 fn figures(what: &str, old: &Figures, new: &Figures, drift: f64, same_points: bool) -> Vec<Change> {
@@ -176,7 +176,7 @@ mod tests {
                 hard: Some(errors),
             })
         };
-        let way = |id: &str, ns| WayFigures {
+        let method = |id: &str, ns| MethodFigures {
             id: id.into(),
             title: id.into(),
             step: None,
@@ -192,7 +192,7 @@ mod tests {
             copy: Some(time(3.0 * scale)),
             yardstick: Some(time(12.0 * scale)),
             columns: None,
-            ways: vec![way("closed", 10.0), way("ad", 100.0)],
+            methods: vec![method("closed", 10.0), method("ad", 100.0)],
             curves: Vec::new(),
         };
         let text = |text: &str| text.to_owned();
@@ -230,7 +230,7 @@ mod tests {
     }
 
     fn closed(report: &mut Report) -> &mut Figures {
-        report.formulas[1].ways[0].jacobian.as_mut().unwrap()
+        report.formulas[1].methods[0].jacobian.as_mut().unwrap()
     }
 
     #[test]
@@ -287,7 +287,7 @@ mod tests {
 
     #[test]
     fn a_way_that_is_gone_is_a_change_and_a_new_formula_is_not() {
-        let found = changes(|new| drop(new.formulas[0].ways.pop()));
+        let found = changes(|new| drop(new.formulas[0].methods.pop()));
         assert_eq!(found, [("t.first ad".to_owned(), "missing")]);
         let mut old = report(1.0);
         old.formulas.pop();
@@ -417,13 +417,13 @@ mod tests {
 
     #[test]
     fn every_figure_of_every_way_is_compared() {
-        type Figure = fn(&mut WayFigures) -> &mut Option<Figures>;
+        type Figure = fn(&mut MethodFigures) -> &mut Option<Figures>;
         let parts: [(Figure, &str, f64); 2] =
-            [(|way| &mut way.value, "value", 10.0), (|way| &mut way.jacobian, "Jacobian", 20.0)];
+            [(|method| &mut method.value, "value", 10.0), (|method| &mut method.jacobian, "Jacobian", 20.0)];
         for (k, (id, factor)) in [("closed", 1.0), ("ad", 10.0)].into_iter().enumerate() {
             for (part, name, ns) in parts {
                 let with = |change: &dyn Fn(&mut Figures)| {
-                    let found = changes(|new| change(part(&mut new.formulas[1].ways[k]).as_mut().unwrap()));
+                    let found = changes(|new| change(part(&mut new.formulas[1].methods[k]).as_mut().unwrap()));
                     assert_eq!(found.len(), 1, "{id} {name}: {found:?}");
                     found[0].clone()
                 };
@@ -447,8 +447,8 @@ mod tests {
             for figures in new
                 .formulas
                 .iter_mut()
-                .flat_map(|one| &mut one.ways)
-                .flat_map(|way| [&mut way.value, &mut way.jacobian])
+                .flat_map(|one| &mut one.methods)
+                .flat_map(|method| [&mut method.value, &mut method.jacobian])
             {
                 let figures = figures.as_mut().unwrap();
                 (figures.time, figures.random.eta) = (Some(time(1.0)), Quantiles::default());
@@ -461,7 +461,7 @@ mod tests {
     fn a_comparison_is_told_with_figures_before_and_now() {
         let mut new = report(1.5);
         closed(&mut new).time = Some(time(45.0));
-        new.formulas[0].ways[1].value.as_mut().unwrap().random.eta.max = 2.5;
+        new.formulas[0].methods[1].value.as_mut().unwrap().random.eta.max = 2.5;
         new.machine.cores = 3;
         new.formulas.push(Measurement { formula: "t.new".into(), ..report(1.0).formulas.remove(0) });
         let text = anstream::adapter::strip_str(&against(&report(1.0), &new).text()).to_string();

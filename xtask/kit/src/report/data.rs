@@ -96,10 +96,10 @@ impl Report {
         let mut report = self.clone();
         for measurement in &mut report.formulas {
             measurement.columns = None;
-            for way in &mut measurement.ways {
-                for figures in [&mut way.value, &mut way.jacobian].into_iter().flatten() {
+            for method in &mut measurement.methods {
+                for figures in [&mut method.value, &mut method.jacobian].into_iter().flatten() {
                     figures.ratio = None;
-                    let hardest = figures.hardest().filter(|_| way.id == "closed").cloned();
+                    let hardest = figures.hardest().filter(|_| method.id == "closed").cloned();
                     figures.hard_times = hardest.into_iter().collect();
                 }
             }

@@ -109,8 +109,9 @@ pub(super) fn timing(path: &Path, report: &Report) -> anyhow::Result<()> {
 }
 
 fn of_formula(measurement: &Measurement) -> Nanoseconds<'_> {
-    let closed = measurement.way("closed");
-    let (value, jacobian) = (closed.and_then(|way| way.value.as_ref()), closed.and_then(|way| way.jacobian.as_ref()));
+    let closed = measurement.method("closed");
+    let (value, jacobian) =
+        (closed.and_then(|method| method.value.as_ref()), closed.and_then(|method| method.jacobian.as_ref()));
     let time = |figures: Option<&Figures>| figures.and_then(|figures| figures.time);
     let hard = jacobian.into_iter().flat_map(|figures| &figures.hard_times);
     Nanoseconds {

@@ -9,13 +9,13 @@ pub(crate) const HARDEST: f64 = 10.0;
 
 /// Time of the checked value and Jacobian relative to the unchecked.
 pub(crate) fn of_checks(measurement: &Measurement) -> Option<f64> {
-    let time = |id| Some(measurement.way(id)?.jacobian.as_ref()?.time?.median);
+    let time = |id| Some(measurement.method(id)?.jacobian.as_ref()?.time?.median);
     Some(time("checked")? / time("closed")?)
 }
 
 /// The ordinary point at which the closed form takes longest, and whether that is the value or the value with Jacobian.
 pub(crate) fn hardest(measurement: &Measurement) -> Option<(&'static str, &PointTime)> {
-    let closed = measurement.way("closed")?;
+    let closed = measurement.method("closed")?;
     let parts = [("value", &closed.value), ("value and Jacobian", &closed.jacobian)];
     let points = parts.into_iter().filter_map(|(part, figures)| Some((part, figures.as_ref()?.hardest()?)));
     points.max_by(|a, b| a.1.ratio.median.total_cmp(&b.1.ratio.median))
@@ -61,7 +61,7 @@ mod tests {
     /// A report in which the closed form of the first formula takes this many times as long at its ordinary hard point.
     fn with(value: f64, jacobian: f64) -> Report {
         let mut report = crate::sample::report();
-        let closed = &mut report.formulas[0].ways[0];
+        let closed = &mut report.formulas[0].methods[0];
         for (figures, ratio) in [(&mut closed.value, value), (&mut closed.jacobian, jacobian)] {
             figures.as_mut().unwrap().hard_times[0].ratio.median = ratio;
         }
@@ -83,11 +83,12 @@ mod tests {
             assert_eq!(said, expected);
         }
         let mut nothing = with(1.0, 1.0).formulas.remove(0);
-        for figures in nothing.ways.iter_mut().flat_map(|way| [&mut way.value, &mut way.jacobian]).flatten() {
+        for figures in nothing.methods.iter_mut().flat_map(|method| [&mut method.value, &mut method.jacobian]).flatten()
+        {
             figures.hard_times.clear();
         }
         assert_eq!(said(&nothing).unwrap(), "checked, value and Jacobian take 1.18 times as long");
-        nothing.ways.remove(1);
+        nothing.methods.remove(1);
         assert_eq!(said(&nothing), None);
     }
 
@@ -116,8 +117,8 @@ mod tests {
         let mut report = crate::sample::report();
         for (measurement, price) in report.formulas.iter_mut().zip([8.0, 2.0]) {
             for (id, factor) in [("closed", 1.0), ("checked", price)] {
-                let way = measurement.ways.iter_mut().find(|way| way.id == id).unwrap();
-                way.jacobian.as_mut().unwrap().time.as_mut().unwrap().median = 3.0 * factor;
+                let method = measurement.methods.iter_mut().find(|method| method.id == id).unwrap();
+                method.jacobian.as_mut().unwrap().time.as_mut().unwrap().median = 3.0 * factor;
             }
         }
         let said = summary(&report).unwrap();

@@ -4,7 +4,7 @@ use super::data::Report;
 use super::price;
 use super::verdict::Verdict;
 use crate::console::{bold, figure, green, red};
-use jointproof::toolkit::measure::{Columns, Errors, Measurement, Time, WayFigures};
+use jointproof::toolkit::measure::{Columns, Errors, Measurement, MethodFigures, Time};
 use std::fmt::Write;
 
 /// Nanoseconds with three digits, in a suitable unit.
@@ -39,20 +39,20 @@ pub(crate) fn worst(errors: Option<Errors>) -> String {
 }
 
 /// The step of differences, as appended to their name.
-pub(crate) fn step(way: &WayFigures) -> String {
-    way.step.map_or(String::new(), |step| format!(", step {}", figure(step)))
+pub(crate) fn step(method: &MethodFigures) -> String {
+    method.step.map_or(String::new(), |step| format!(", step {}", figure(step)))
 }
 
 /// The cells of a method: value, value and Jacobian, its spread, ratio, errors of the value and of the Jacobian.
-fn cells(way: &WayFigures) -> [String; 11] {
+fn cells(method: &MethodFigures) -> [String; 11] {
     let time = |time: Option<Time>| time.map_or("–".into(), |time| duration(time.median));
-    let value = way.value.as_ref();
-    let jacobian = way.jacobian.as_ref();
+    let value = method.value.as_ref();
+    let jacobian = method.jacobian.as_ref();
     let together = jacobian.and_then(|figures| figures.time);
     let random = jacobian.map(|figures| figures.random);
     let eta = |of: fn(&Errors) -> f64| random.as_ref().map_or("–".into(), |random| figure(of(random)));
     [
-        format!("{}{}", way.title, step(way)),
+        format!("{}{}", method.title, step(method)),
         time(value.and_then(|figures| figures.time)),
         time(together),
         together.map_or(String::new(), spread),
@@ -67,7 +67,7 @@ fn cells(way: &WayFigures) -> [String; 11] {
 }
 
 const HEAD: [&str; 11] = [
-    "way",
+    "method",
     "value",
     "with Jacobian",
     "spread",
@@ -88,7 +88,7 @@ pub(super) fn text(report: &Report) -> anyhow::Result<String> {
             measurement.copy.map_or(String::new(), |copy| format!("; copying all takes {}", duration(copy.median)));
         writeln!(text, "{} {outputs} outputs of {inputs} inputs{copy}", bold(formula))?;
         writeln!(text, "  errors at {random_points} random and {hard_points} hard points")?;
-        let rows: Vec<_> = measurement.ways.iter().map(cells).collect();
+        let rows: Vec<_> = measurement.methods.iter().map(cells).collect();
         let width = |k: usize| {
             let cells = rows.iter().map(|row| row[k].chars().count());
             cells.chain([HEAD[k].chars().count()]).max().unwrap_or(0)
@@ -159,8 +159,8 @@ pub(super) fn markdown(report: &Report) -> anyhow::Result<String> {
     for measurement in &report.formulas {
         writeln!(text, "### `{}`\n", measurement.formula)?;
         writeln!(text, "| {} |\n|---|{}", HEAD.join(" | "), "--:|".repeat(HEAD.len() - 1))?;
-        for way in &measurement.ways {
-            writeln!(text, "| {} |", cells(way).join(" | "))?;
+        for method in &measurement.methods {
+            writeln!(text, "| {} |", cells(method).join(" | "))?;
         }
         if let Some(columns) = &measurement.columns {
             writeln!(text, "\n{}.", many(columns))?;

@@ -38,7 +38,7 @@ const FEW: f64 = 8.0;
 impl Verdict {
     /// The verdict on a complete measurement.
     pub(crate) fn of(measurement: &Measurement) -> Option<Self> {
-        let jacobian = |id| measurement.way(id)?.jacobian.as_ref();
+        let jacobian = |id| measurement.method(id)?.jacobian.as_ref();
         let (closed, ad) = (jacobian("closed")?, jacobian("ad")?);
         let times = (closed.time?, ad.time?);
         let eta = [greatest(closed), greatest(ad)];
@@ -138,7 +138,7 @@ mod tests {
     /// The verdict on a measurement with altered closed form and automatic differentiation.
     fn of(tamper: impl FnOnce(&mut Figures, &mut Figures)) -> Verdict {
         let mut measurement = crate::sample::measurement("t.first", 1.0);
-        let [closed, _, _, ad, ..] = measurement.ways.as_mut_slice() else { panic!("there are seven ways") };
+        let [closed, _, _, ad, ..] = measurement.methods.as_mut_slice() else { panic!("there are seven ways") };
         tamper(closed.jacobian.as_mut().unwrap(), ad.jacobian.as_mut().unwrap());
         Verdict::of(&measurement).unwrap()
     }

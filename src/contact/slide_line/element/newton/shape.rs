@@ -27,7 +27,7 @@ pub(super) trait Shape<const N: usize> {
     /// The closest point to a slave node.
     fn foot<D: Scalar, const K: usize>(xs: Point<D, K>, segment: &[Point<D, K>; N]) -> Touched<D, K>;
     /// The distance along the segment in its current configuration, from a point to the closest point of the slave node.
-    fn way<D: Scalar, const K: usize>(
+    fn path_length<D: Scalar, const K: usize>(
         xs: Point<D, K>,
         segment: &[Point<D, K>; N],
         from: D,
@@ -59,7 +59,7 @@ impl Shape<2> for Straight {
     }
 
     /// Uses positions in place of displacements: they are measured from the current position of the previous point.
-    fn way<D: Scalar, const K: usize>(
+    fn path_length<D: Scalar, const K: usize>(
         xs: Point<D, K>,
         &[x1, x2]: &[Point<D, K>; 2],
         from: D,
@@ -115,7 +115,7 @@ impl Shape<3> for Curved {
     }
 
     /// A single Gauss–Legendre rule, as in [`isl`](crate::contact::isl) if the segment bends little between the two points.
-    fn way<D: Scalar, const K: usize>(
+    fn path_length<D: Scalar, const K: usize>(
         _: Point<D, K>,
         &[x1, x2, x3]: &[Point<D, K>; 3],
         from: D,
@@ -132,7 +132,7 @@ impl Shape<3> for Curved {
             let motion = ParabolicMotion { x1, x2, x3, g, dxs, dx1: none, dx2: none, dx3: none };
             chain::<SlipIncrementParabolic, _, K>(&motion).dslip
         };
-        gauss().into_iter().map(part).fold(constant(D::zero()), |way, part| way + part)
+        gauss().into_iter().map(part).fold(constant(D::zero()), |path_length, part| path_length + part)
     }
 
     fn forces<D: Scalar, const K: usize>(

@@ -17,7 +17,7 @@ fn matrices(id: &'static str, wanted: Wanted) -> String {
 }
 
 fn exchanged(id: &'static str, wanted: Wanted, begin: &str) -> String {
-    looked(
+    diagnosed(
         (id, wanted),
         &[],
         |_, _| {},

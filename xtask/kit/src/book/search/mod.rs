@@ -109,7 +109,7 @@ fn names(content: &Content, entry: &Entry, title: &str) -> Value {
     let both = |symbols: &[Symbol]| -> Vec<String> {
         symbols.iter().flat_map(|symbol| [symbol.name.clone(), symbol.latex.clone()]).collect()
     };
-    let served = content.exhibits.served.iter().filter(|served| served.formula == entry.id);
+    let served = content.extras.served.iter().filter(|served| served.formula == entry.id);
     let serves: BTreeSet<_> = served.map(|served| &served.output).collect();
     // The last part of the identifier, which several formulas may share.
     let tail = entry.id.rsplit('.').next().map(String::from);
@@ -181,7 +181,7 @@ const GREEK: [(&str, &str); 21] = [
 /// An item for each output of scenes, at the first table that contains it.
 fn outputs(content: &Content) -> Vec<[Value; 5]> {
     let mut all: BTreeMap<&str, (&str, Vec<&str>)> = BTreeMap::new();
-    for served in &content.exhibits.served {
+    for served in &content.extras.served {
         let ids = &mut all.entry(&served.output).or_insert((&served.place, Vec::new())).1;
         if !ids.contains(&&*served.formula) {
             ids.push(&served.formula);

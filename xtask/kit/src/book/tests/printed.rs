@@ -81,7 +81,7 @@ fn everything() -> Content {
     content.sources = vec![SourceFile { path: "src/t.rs".into(), text: lines }];
     content.golden.push(GoldenFile { name: "t.second.json".into(), bytes: b"{}".to_vec() });
     content.catalog_tests = vec![TestRef { name: "over_all".into(), file: "src/t.rs".into(), line: 4 }];
-    content.exhibits.served = vec![Served {
+    content.extras.served = vec![Served {
         formula: "t.first".into(),
         output: "CSF".into(),
         of: "a scene".into(),

@@ -52,7 +52,7 @@ impl Book {
         let frame = |text: &str| {
             format!("<svg viewBox=\"0 0 9 9\" role=\"img\">\n<title>Moved</title>\n<text>{text}</text>\n</svg>\n")
         };
-        content.exhibits.moving.push(Moving {
+        content.extras.moving.push(Moving {
             name: "moved".into(),
             sliders: vec![Slider { label: "way".into(), values: vec!["0".into(), "1 mm".into()], start: 0 }],
             frames: vec![frame("here"), frame("there")],

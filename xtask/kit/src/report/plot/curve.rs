@@ -24,7 +24,7 @@ pub(crate) fn curve(measurement: &Measurement) -> String {
     let mut drawing = Drawing::new(WIDTH, HEIGHT, &title, &description(curves));
     drawing.below(&x, BOTTOM, y.ends[1], "step, relative to the input", power);
     drawing.left(&y, LEFT, x.ends[1], "relative error of the Jacobian (median)", power);
-    let closed = measurement.way("closed").and_then(|way| way.jacobian.as_ref());
+    let closed = measurement.method("closed").and_then(|method| method.jacobian.as_ref());
     if let Some(closed) = closed {
         let error = closed.random.relative;
         let height = y.at(error.max(FLOOR));

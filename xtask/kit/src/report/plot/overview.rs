@@ -1,7 +1,7 @@
 //! Overview of one family: one row per formula, time from left to right.
 
 use super::drawing::{Axis, Drawing, style, time};
-use jointproof::toolkit::measure::{Measurement, WayFigures};
+use jointproof::toolkit::measure::{Measurement, MethodFigures};
 
 const WIDTH: f64 = 760.0;
 const LEFT: f64 = 190.0;
@@ -16,8 +16,8 @@ pub(crate) fn overview(family: &str, measurements: &[&Measurement]) -> String {
     #[expect(clippy::cast_precision_loss, reason = "a few formulas")]
     let bottom = TOP + ROW * measurements.len() as f64;
     let shown = |measurement: &'_ Measurement| {
-        let time = |way: &WayFigures| Some(way.jacobian.as_ref()?.time?.median);
-        WAYS.map(|id| measurement.way(id).and_then(time).map(|time| (id, time)))
+        let time = |method: &MethodFigures| Some(method.jacobian.as_ref()?.time?.median);
+        WAYS.map(|id| measurement.method(id).and_then(time).map(|time| (id, time)))
     };
     let times = measurements.iter().flat_map(|measurement| shown(measurement)).flatten().map(|(_, time)| time);
     let copies = measurements.iter().filter_map(|measurement| Some(measurement.copy?.median));

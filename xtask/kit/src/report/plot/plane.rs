@@ -24,14 +24,14 @@ struct Point<'a> {
 
 /// Time of value and Jacobian against η of the Jacobian, with the Pareto-optimal methods joined by a line.
 pub(crate) fn plane(measurement: &Measurement) -> String {
-    let point = |way: &'_ jointproof::toolkit::measure::WayFigures| {
-        let jacobian = way.jacobian.as_ref()?;
+    let point = |method: &'_ jointproof::toolkit::measure::MethodFigures| {
+        let jacobian = method.jacobian.as_ref()?;
         Some((jacobian.time?.median, jacobian.random.eta.p99))
     };
     let points: Vec<Point<'_>> = measurement
-        .ways
+        .methods
         .iter()
-        .filter_map(|way| point(way).map(|(time, eta)| Point { id: &way.id, time, eta }))
+        .filter_map(|method| point(method).map(|(time, eta)| Point { id: &method.id, time, eta }))
         .collect();
     let x = Axis::around(points.iter().map(|point| point.time), 0.1, [LEFT, WIDTH - 12.0]);
     let y = Axis::around(points.iter().map(|point| point.eta.min(CEILING)).chain([1.0]), FLOOR, [BOTTOM, 26.0]);

@@ -5,7 +5,7 @@ use jointproof::catalog::find;
 use jointproof::connector::slot;
 
 /// The result of the check if the calculator of a formula shows this for a case.
-fn told(formula: &'static dyn AnyFormula, case: &str, shown: &Shown) -> Result<Checked> {
+fn check_case(formula: &'static dyn AnyFormula, case: &str, shown: &Shown) -> Result<Checked> {
     let golden = formula.golden();
     let mut checked = Checked::default();
     let case = golden.cases.iter().find(|known| known.id == case).context("no such case")?;
@@ -16,7 +16,7 @@ fn told(formula: &'static dyn AnyFormula, case: &str, shown: &Shown) -> Result<C
 
 /// The same for f₂ = 3, f₃ = 4, whose value is 5 and whose derivatives are 0.6 and 0.8.
 fn of_contact(shown: &Shown) -> Checked {
-    told(&slot::ContactForce, "pythagoras", shown).unwrap()
+    check_case(&slot::ContactForce, "pythagoras", shown).unwrap()
 }
 
 fn numbers(numbers: &[&str]) -> Shown {
@@ -54,7 +54,7 @@ fn the_numbers_of_rust_are_well_and_others_are_named() {
     let few = of_contact(&numbers(&["5", "0.6"]));
     assert_eq!(few.off, ["slot.contact_force, case pythagoras: it shows 2 of 3 numbers"]);
     assert_eq!(few.numbers, 0);
-    let error = told(&slot::ContactForce, "pythagoras", &numbers(&["5", "x", "0.8"])).err().unwrap();
+    let error = check_case(&slot::ContactForce, "pythagoras", &numbers(&["5", "x", "0.8"])).err().unwrap();
     assert_eq!(error.to_string(), "\"x\" is no number");
 }
 
@@ -87,11 +87,11 @@ fn what_is_invalid_is_refused_in_the_words_of_rust() {
     let case = golden.cases.iter().find(|case| case.id == "mu-negative").unwrap();
     let point = components(formula.inputs(), &case.inputs).unwrap();
     let error = formula.value_and_jacobian(&point).unwrap_err();
-    let right = told(formula, "mu-negative", &refusal(&error.to_string())).unwrap();
+    let right = check_case(formula, "mu-negative", &refusal(&error.to_string())).unwrap();
     assert_eq!((right.refused, right.together, right.off), (1, 0, vec![]));
     // A condition on a single input is reported for that input.
     for words in [format!("Refused; required is {}", error.required()), String::new()] {
-        let wrong = told(formula, "mu-negative", &refusal(&words)).unwrap();
+        let wrong = check_case(formula, "mu-negative", &refusal(&words)).unwrap();
         let off = format!("slot.friction, case mu-negative: it says {words:?}, and Rust {:?}", error.to_string());
         assert_eq!((wrong.refused, wrong.together, wrong.off), (0, 0, vec![off]));
     }
@@ -104,9 +104,9 @@ fn what_all_inputs_together_must_be_may_be_said_without_their_values() {
     let case = golden.cases.iter().find(|case| case.error.as_deref() == Some("OutOfOrder")).unwrap();
     let point = components(formula.inputs(), &case.inputs).unwrap();
     let error = formula.value_and_jacobian(&point).unwrap_err();
-    let right = told(formula, &case.id, &refusal(&format!("Refused; required is {}", error.required()))).unwrap();
+    let right = check_case(formula, &case.id, &refusal(&format!("Refused; required is {}", error.required()))).unwrap();
     assert_eq!((right.refused, right.together, right.off), (0, 1, vec![]));
-    let wrong = told(formula, &case.id, &refusal("Refused; required is luck")).unwrap();
+    let wrong = check_case(formula, &case.id, &refusal("Refused; required is luck")).unwrap();
     assert_eq!((wrong.together, wrong.off.len()), (0, 1));
 }
 

@@ -9,30 +9,30 @@ use jointproof::formula::{Field, Provenance};
 use std::collections::HashSet;
 
 /// A requirement on every formula.
-pub(crate) struct Demand {
+pub(crate) struct Requirement {
     /// A short description.
     pub(crate) what: &'static str,
     /// Where it belongs and how it is written; `{id}` and `{command}` are replaced by those of the formula and the project.
     how: &'static str,
     /// Whether it is still unmet after `new` has written a skeleton.
     pub(crate) is_of_author: bool,
-    is_paid: Box<dyn Fn(&Look<'_>) -> bool>,
+    is_met: Box<dyn Fn(&Candidate<'_>) -> bool>,
 }
 
 /// A formula to be checked.
-struct Look<'a> {
+struct Candidate<'a> {
     project: &'a Project,
     formula: &'a dyn AnyFormula,
     /// The formulas that have an entry; `None` for a project without a book.
     entries: Option<&'a HashSet<String>>,
 }
 
-impl Demand {
-    fn new(what: &'static str, how: &'static str, is_paid: fn(&Look<'_>) -> bool) -> Self {
-        Self { what, how, is_of_author: true, is_paid: Box::new(is_paid) }
+impl Requirement {
+    fn new(what: &'static str, how: &'static str, is_met: fn(&Candidate<'_>) -> bool) -> Self {
+        Self { what, how, is_of_author: true, is_met: Box::new(is_met) }
     }
 
-    fn paid_by_skeleton(self) -> Self {
+    fn met_by_skeleton(self) -> Self {
         Self { is_of_author: false, ..self }
     }
 
@@ -43,75 +43,82 @@ impl Demand {
 }
 
 /// All requirements on a formula of this project.
-pub(crate) fn demands(project: &Project) -> Vec<Demand> {
-    let mut demands = vec![
-        Demand::new("an identifier", "`family.name` in `SPEC`, of small letters, digits and _", |look| {
-            look.formula.spec().id.split_once('.').is_some_and(|(family, name)| is_name(family) && is_name(name))
+pub(crate) fn requirements(project: &Project) -> Vec<Requirement> {
+    let mut requirements = vec![
+        Requirement::new("an identifier", "`family.name` in `SPEC`, of small letters, digits and _", |candidate| {
+            candidate.formula.spec().id.split_once('.').is_some_and(|(family, name)| is_name(family) && is_name(name))
         })
-        .paid_by_skeleton(),
-        Demand::new("a title", "the second argument of `Spec::new`", |look| !look.formula.spec().title.is_empty()),
-        Demand::new(
+        .met_by_skeleton(),
+        Requirement::new("a title", "the second argument of `Spec::new`", |candidate| {
+            !candidate.formula.spec().title.is_empty()
+        }),
+        Requirement::new(
             "source and provenance",
             "`Document::new(\"…\").link(\"…\")` in `SPEC`, then `.printed`, `.reconstructed` or `.ours`",
-            |look| {
-                let source = look.formula.spec().source;
+            |candidate| {
+                let source = candidate.formula.spec().source;
                 let is_explained = source.provenance == Provenance::Printed || !source.provenance.why().is_empty();
                 !source.document.title.is_empty() && is_explained
             },
         ),
-        Demand::new("its equation", "`.equation(r\"…\")` in `SPEC`", |look| !look.formula.spec().latex.is_empty()),
-        Demand::new("symbols and meanings", "a `Quantity` for every input and output", |look| {
-            look.formula.inputs().iter().chain(look.formula.outputs()).all(is_described)
+        Requirement::new("its equation", "`.equation(r\"…\")` in `SPEC`", |candidate| {
+            !candidate.formula.spec().latex.is_empty()
         }),
-        Demand::new("a case worked by hand", "`Case::hand` in `Proved::cases`", |look| {
-            look.formula.cases().contains(&Flag::Hand)
+        Requirement::new("symbols and meanings", "a `Quantity` for every input and output", |candidate| {
+            candidate.formula.inputs().iter().chain(candidate.formula.outputs()).all(is_described)
         }),
-        Demand::new("a hard case", "`Case::hard`: zero, cancelled, tiny, huge; many are in `proof::hard`", |look| {
-            look.formula.cases().contains(&Flag::Hard)
+        Requirement::new("a case worked by hand", "`Case::hand` in `Proved::cases`", |candidate| {
+            candidate.formula.cases().contains(&Flag::Hand)
         }),
-        Demand::new("a law", "`Law::new` in `Proved::laws`: what physics demands of it", |look| {
-            !look.formula.laws().is_empty()
+        Requirement::new(
+            "a hard case",
+            "`Case::hard`: zero, cancelled, tiny, huge; many are in `proof::hard`",
+            |candidate| candidate.formula.cases().contains(&Flag::Hard),
+        ),
+        Requirement::new("a law", "`Law::new` in `Proved::laws`: what physics requires of it", |candidate| {
+            !candidate.formula.laws().is_empty()
         }),
-        Demand::new("its golden file", "{command} golden --filter {id}", |look| {
-            look.project.golden_file(look.formula.spec().id).exists()
+        Requirement::new("its golden file", "{command} golden --filter {id}", |candidate| {
+            candidate.project.golden_file(candidate.formula.spec().id).exists()
         }),
-        Demand::new("an entry in the book", "{{#formula {id}}} in a chapter", |look| {
-            look.entries.is_none_or(|entries| entries.contains(look.formula.spec().id))
+        Requirement::new("an entry in the book", "{{#formula {id}}} in a chapter", |candidate| {
+            candidate.entries.is_none_or(|entries| entries.contains(candidate.formula.spec().id))
         })
-        .paid_by_skeleton(),
+        .met_by_skeleton(),
     ];
-    demands.extend(project.extension.debts.iter().map(|&(what, is_paid, how)| Demand {
+    requirements.extend(project.extension.requirements.iter().map(|&(what, is_met, how)| Requirement {
         what,
         how,
         is_of_author: true,
-        is_paid: Box::new(move |look| is_paid(look.project, look.formula.spec().id)),
+        is_met: Box::new(move |candidate| is_met(candidate.project, candidate.formula.spec().id)),
     }));
-    demands
+    requirements
 }
 
 /// The unmet requirements of these formulas, one block per formula; empty if there are none. Without the repository
 /// they cannot be checked, and the result is empty too.
-pub(crate) fn owed(project: &Project, formulas: &[&dyn AnyFormula]) -> anyhow::Result<Vec<String>> {
+pub(crate) fn missing(project: &Project, formulas: &[&dyn AnyFormula]) -> anyhow::Result<Vec<String>> {
     if !project.root().exists() {
         return Ok(Vec::new());
     }
-    let demands = demands(project);
+    let requirements = requirements(project);
     let entries = entries(project)?;
     let block = |formula: &&dyn AnyFormula| {
-        let look = Look { project, formula: *formula, entries: entries.as_ref() };
+        let candidate = Candidate { project, formula: *formula, entries: entries.as_ref() };
         let id = formula.spec().id;
-        let line = |demand: &Demand| format!("    {}: {}\n", demand.what, demand.how(project, id));
-        let lines: String = demands.iter().filter(|demand| !(demand.is_paid)(&look)).map(line).collect();
-        (!lines.is_empty()).then(|| format!("{} {} owes\n{lines}", red("off"), bold(id)))
+        let line = |requirement: &Requirement| format!("    {}: {}\n", requirement.what, requirement.how(project, id));
+        let lines: String =
+            requirements.iter().filter(|requirement| !(requirement.is_met)(&candidate)).map(line).collect();
+        (!lines.is_empty()).then(|| format!("{} {} lacks\n{lines}", red("off"), bold(id)))
     };
     Ok(formulas.iter().filter_map(block).collect())
 }
 
 /// How many formulas have unmet requirements, for a summary.
-pub(crate) fn summary(formulas: usize, owed: &[String]) -> String {
+pub(crate) fn summary(formulas: usize, missing: &[String]) -> String {
     let formulas = count(formulas, "formula");
-    match owed.len() {
-        0 => format!("{formulas}, nothing owed"),
+    match missing.len() {
+        0 => format!("{formulas}, nothing missing"),
         debtors => format!("{formulas}, {debtors} owing"),
     }
 }
@@ -187,10 +194,15 @@ mod tests {
 
     #[test]
     fn a_skeleton_pays_what_can_be_known_and_leaves_the_rest_to_its_author() {
-        let project = Project::new("bare", env!("CARGO_MANIFEST_DIR"), &[]).with_debt("a poem", |_, _| false, "");
-        let demands = demands(&project);
-        let paid: Vec<_> = demands.iter().filter(|demand| !demand.is_of_author).map(|demand| demand.what).collect();
-        assert_eq!((paid, demands.len()), (vec!["an identifier", "an entry in the book"], 11));
+        let project =
+            Project::new("bare", env!("CARGO_MANIFEST_DIR"), &[]).with_requirement("a poem", |_, _| false, "");
+        let requirements = requirements(&project);
+        let skeletal: Vec<_> = requirements
+            .iter()
+            .filter(|requirement| !requirement.is_of_author)
+            .map(|requirement| requirement.what)
+            .collect();
+        assert_eq!((skeletal, requirements.len()), (vec!["an identifier", "an entry in the book"], 11));
     }
 
     #[test]
@@ -198,15 +210,15 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         std::fs::create_dir_all(folder.path().join("book/src")).unwrap();
         let project = Project::new("bare", env!("CARGO_MANIFEST_DIR"), &[&Bare])
-            .with_debt("a poem", |_, id| id == "other.formula", "in `{id}.txt`")
+            .with_requirement("a poem", |_, id| id == "other.formula", "in `{id}.txt`")
             .in_folder(folder.path().to_str().unwrap());
-        let owed = owed(&project, project.catalog()).unwrap();
-        assert_eq!(owed.len(), 1);
-        for demand in demands(&project) {
-            let line = format!("    {}: {}\n", demand.what, demand.how(&project, "bare"));
-            assert!(owed[0].contains(&line), "{line:?} is not in\n{}", owed[0]);
+        let missing = missing(&project, project.catalog()).unwrap();
+        assert_eq!(missing.len(), 1);
+        for requirement in requirements(&project) {
+            let line = format!("    {}: {}\n", requirement.what, requirement.how(&project, "bare"));
+            assert!(missing[0].contains(&line), "{line:?} is not in\n{}", missing[0]);
         }
-        assert!(owed[0].ends_with("    a poem: in `bare.txt`\n"), "{}", owed[0]);
-        assert_eq!(summary(1, &owed), "1 formula, 1 owing");
+        assert!(missing[0].ends_with("    a poem: in `bare.txt`\n"), "{}", missing[0]);
+        assert_eq!(summary(1, &missing), "1 formula, 1 owing");
     }
 }

@@ -1,16 +1,16 @@
 //! How kinks of a formula were searched for and which branches were taken, in words.
 
 use crate::console::count;
-use jointproof::toolkit::verify::{Coverage, Looked, Search};
+use jointproof::toolkit::verify::{Coverage, Examination, Search};
 
 /// The number of items of a kind that are named before the rest is only counted.
 const NAMED: usize = 4;
 
 /// A summary in a few lines; complete coverage is not itemised.
-pub fn lines(looked: &Looked) -> Vec<String> {
-    match looked {
-        Looked::NamedPoints { why } => vec![format!("kinks were searched at the named points only: {why}")],
-        Looked::Graph { search, coverage } => of_search(search).into_iter().chain(of_coverage(coverage)).collect(),
+pub fn lines(examination: &Examination) -> Vec<String> {
+    match examination {
+        Examination::NamedPoints { why } => vec![format!("kinks were searched at the named points only: {why}")],
+        Examination::Graph { search, coverage } => of_search(search).into_iter().chain(of_coverage(coverage)).collect(),
     }
 }
 
@@ -34,9 +34,9 @@ fn of_coverage(coverage: &Coverage) -> Vec<String> {
         [(coverage.comparisons, "comparison"), (coverage.asked, "time")].map(|(number, noun)| count(number, noun));
     let sides = if coverage.never.is_empty() { ", both branches of each reached" } else { "" };
     let least = coverage.least;
-    let told =
+    let described =
         format!("{comparisons}, evaluated {asked}, each side that was reached at {least} points at least{sides}");
-    [vec![told], named("branches not reached", &coverage.never)].concat()
+    [vec![described], named("branches not reached", &coverage.never)].concat()
 }
 
 fn named(what: &str, texts: &[String]) -> Vec<String> {
@@ -94,8 +94,8 @@ mod tests {
     fn both_are_told_of_a_graph_and_why_not_of_named_points() {
         let never = Vec::new();
         let coverage = Coverage { comparisons: 2, asked: 30, least: 7, never };
-        assert_eq!(lines(&Looked::Graph { search: search(2, 1), coverage }).len(), 3);
-        let alone = lines(&Looked::NamedPoints { why: "it is a loop".into() });
+        assert_eq!(lines(&Examination::Graph { search: search(2, 1), coverage }).len(), 3);
+        let alone = lines(&Examination::NamedPoints { why: "it is a loop".into() });
         assert_eq!(alone, ["kinks were searched at the named points only: it is a loop"]);
     }
 }

@@ -5,12 +5,12 @@ use crate::studies::agreement;
 use crate::{figures, museum, scene, statements, worked_example};
 use jointproof::toolkit::verify::Audit;
 use judge::audited;
-use kit::{Exhibits, Project};
+use kit::{Extras, Project};
 
 /// All generated content.
-pub(crate) fn all(project: &Project) -> anyhow::Result<Exhibits> {
+pub(crate) fn all(project: &Project) -> anyhow::Result<Extras> {
     let audit = ("audit".to_owned(), audited::text(&[worked_example::run()], Audit::passed)?);
-    Ok(Exhibits {
+    Ok(Extras {
         figures: [figures::all(), scene::figures(project)?].concat(),
         moving: figures::moving(),
         outputs: [vec![audit], figures::outputs(), scene::outputs(project)?].concat(),

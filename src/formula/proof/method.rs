@@ -6,21 +6,21 @@ use std::hint::black_box;
 
 /// One method of computing a formula: its value, its Jacobian, or both.
 ///
-/// A formula registers its own methods in [`Proved::ways`](super::Proved::ways), each as a function that is generic
+/// A formula registers its own methods in [`Proved::methods`](super::Proved::methods), each as a function that is generic
 /// over the scalar:
 ///
 /// ```
 /// use jointproof::Scalar;
-/// use jointproof::formula::proof::Way;
+/// use jointproof::formula::proof::Method;
 /// use jointproof::connector::slot::{Contact, ContactForce, CrossForces};
 ///
 /// fn plain<D: Scalar>(i: &CrossForces<D>) -> Contact<D> {
 ///     Contact { fc: (i.f2 * i.f2 + i.f3 * i.f3).sqrt() }
 /// }
-/// let way = Way::new::<ContactForce>("plain", "the square root of the sum", plain, plain);
+/// let method = Method::new::<ContactForce>("plain", "the square root of the sum", plain, plain);
 /// ```
 #[cfg_attr(not(feature = "measure"), expect(dead_code, reason = "what a way computes is read where it is measured"))]
-pub struct Way {
+pub struct Method {
     pub(crate) id: &'static str,
     pub(crate) title: &'static str,
     /// The step, if it uses finite differences.
@@ -29,7 +29,7 @@ pub struct Way {
     pub(crate) jacobian: Option<Kernel>,
 }
 
-impl Way {
+impl Method {
     /// A method of computing the value, given twice: once for the value itself and once for its automatic differentiation.
     pub fn new<F: Formula>(
         id: &'static str,

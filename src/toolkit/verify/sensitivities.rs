@@ -10,13 +10,13 @@ use std::cell::OnceCell;
 ///
 /// It takes one Jacobian per input. Often a part suffices: an error that is small compared with the effect of the first inputs is
 /// small compared with the effect of all of them.
-pub(super) struct Bends {
+pub(super) struct Sensitivities {
     /// First with all inputs moving at once, then for the first input, the first two, and so on. Near a kink, where
     /// differences are useless, by second derivatives only.
     steps: Vec<OnceCell<Vec<Sensitivity>>>,
 }
 
-impl Bends {
+impl Sensitivities {
     pub(super) fn at(point: &Point) -> Self {
         let by_inputs = if has_no_kink_near(point) { point.exact.len() } else { 0 };
         Self { steps: vec![OnceCell::new(); 1 + by_inputs] }
@@ -106,13 +106,13 @@ mod tests {
             let random = random_points(&subject, &Options { samples: 20, seed: 1 }, 0..20);
             let mut kinks = 0;
             for point in named_points(&subject).iter().chain(&random) {
-                let (bends, here) = (Bends::at(point), jacobian(point));
+                let (sensitivities, here) = (Sensitivities::at(point), jacobian(point));
                 kinks += usize::from(point.kink.is_some());
                 for (k, entry) in here.iter().enumerate() {
-                    let bend = bends.of(point, &here, k).size();
+                    let bend = sensitivities.of(point, &here, k).size();
                     // Within the accuracy of differences.
                     let most = bend + (bend + entry.abs()) * 1e-30;
-                    let before: Vec<_> = bends.up_to(point, &here, k).map(Sensitivity::size).collect();
+                    let before: Vec<_> = sensitivities.up_to(point, &here, k).map(Sensitivity::size).collect();
                     assert!(
                         before.iter().all(|&size| size <= most),
                         "{} at {}: {bend:?}",
@@ -136,13 +136,13 @@ mod tests {
     /// For x/r and y/r at (3, 4): x y²/r³ and x² y/r³ from each of the two inputs, which also add up if they move in
     /// opposite directions.
     #[test]
-    fn bends_are_what_each_input_does_to_a_derivative() {
+    fn sensitivities_are_what_each_input_does_to_a_derivative() {
         let subject = Subject::of::<ContactForce>();
         let point = point(&subject, true, &[3.0, 4.0]);
-        let (bends, here) = (Bends::at(&point), jacobian(&point));
+        let (sensitivities, here) = (Sensitivities::at(&point), jacobian(&point));
         for (k, half) in [0.384, 0.288].into_iter().enumerate() {
-            let found = bends.up_to(&point, &here, k).zip([0.0, 2.0 * half, half, 2.0 * half]);
-            assert_eq!(bends.up_to(&point, &here, k).count(), 4);
+            let found = sensitivities.up_to(&point, &here, k).zip([0.0, 2.0 * half, half, 2.0 * half]);
+            assert_eq!(sensitivities.up_to(&point, &here, k).count(), 4);
             for (found, expected) in found {
                 assert!((found.size().to_f64() - expected).abs() < 1e-15, "{k}: {found:?} is not {expected}");
             }
@@ -151,21 +151,21 @@ mod tests {
 
     /// At a named point it is the second derivative to the last digit, also on a kink, where a difference would contain the jump.
     #[test]
-    fn differences_tell_bends_at_random_points_alone() {
+    fn differences_give_sensitivities_at_random_points_alone() {
         let subject = Subject::of::<ReturnMap>();
         for (random, f_trial, by_differences) in [(true, 3.0, true), (false, 3.0, false), (true, 2.0, false)] {
             let point = point(&subject, random, &[f_trial, 0.5, 4.0]);
-            let (bends, here) = (Bends::at(&point), jacobian(&point));
+            let (sensitivities, here) = (Sensitivities::at(&point), jacobian(&point));
             for k in 0..3 {
-                assert!(bends.of(&point, &here, k).size() <= 4.0, "{random} {f_trial}");
+                assert!(sensitivities.of(&point, &here, k).size() <= 4.0, "{random} {f_trial}");
                 let numbers = if by_differences { 5 } else { 2 };
-                assert_eq!(bends.up_to(&point, &here, k).count(), numbers, "{random} {f_trial}");
+                assert_eq!(sensitivities.up_to(&point, &here, k).count(), numbers, "{random} {f_trial}");
             }
         }
         let subject = Subject::of::<ContactForce>();
         let point = point(&subject, false, &[3.0, 4.0]);
         let expected = Sensitivity::new(&subject.second_derivative(&point.exact)[0], &point.exact);
-        assert_eq!(Bends::at(&point).of(&point, &jacobian(&point), 0).size(), expected.size());
+        assert_eq!(Sensitivities::at(&point).of(&point, &jacobian(&point), 0).size(), expected.size());
     }
 
     /// For some, the first inputs suffice, and the others are not moved.
@@ -173,10 +173,10 @@ mod tests {
     fn no_more_is_computed_than_is_asked_for() {
         let subject = Subject::of::<ContactForce>();
         let point = point(&subject, true, &[3.0, 4.0]);
-        let (bends, here) = (Bends::at(&point), jacobian(&point));
-        let known = || bends.steps.iter().filter(|step| step.get().is_some()).count();
+        let (sensitivities, here) = (Sensitivities::at(&point), jacobian(&point));
+        let known = || sensitivities.steps.iter().filter(|step| step.get().is_some()).count();
         for asked in 1..=4 {
-            bends.up_to(&point, &here, 0).take(asked).for_each(drop);
+            sensitivities.up_to(&point, &here, 0).take(asked).for_each(drop);
             assert_eq!(known(), asked - 1);
         }
     }

@@ -29,19 +29,19 @@ impl<D: Scalar> PlacedLine<D> {
     /// # Ok::<(), jointproof::Error>(())
     /// ```
     pub fn slip(&self, before: &ClosestPoint<D>, now: &ClosestPoint<D>) -> D {
-        self.way(&before.foot, &now.foot)
+        self.path_length(&before.foot, &now.foot)
     }
 
-    pub(crate) fn way(&self, from: &Foot<D>, to: &Foot<D>) -> D {
+    pub(crate) fn path_length(&self, from: &Foot<D>, to: &Foot<D>) -> D {
         if (to.piece, to.u.re()) < (from.piece, from.u.re()) {
-            return -self.way(to, from);
+            return -self.path_length(to, from);
         }
-        (from.piece..=to.piece).fold(to.beyond - from.beyond, |way, index| {
+        (from.piece..=to.piece).fold(to.beyond - from.beyond, |path_length, index| {
             let piece = self.piece(index);
             let [start, end] = self.ends(piece).map(D::from);
             let u0 = if index == from.piece { from.u } else { start };
             let u1 = if index == to.piece { to.u } else { end };
-            way + self.way_within(piece, u0, u1)
+            path_length + self.path_length_within(piece, u0, u1)
         })
     }
 
@@ -52,7 +52,7 @@ impl<D: Scalar> PlacedLine<D> {
 
     /// The distance within a piece. On a curve it is integrated: the slip formula gives its rate, and the curve is divided where
     /// it bends.
-    fn way_within(&self, piece: Piece, u0: D, u1: D) -> D {
+    fn path_length_within(&self, piece: Piece, u0: D, u1: D) -> D {
         if (self.interpolation, piece.is_corner()) == (Interpolation::Linear, false) {
             return self.rate_of_slip(piece, u1, u1 - u0);
         }
@@ -62,11 +62,11 @@ impl<D: Scalar> PlacedLine<D> {
         let half = (u1 - u0) * (0.5 / parts);
         let points: [[D; 2]; 5] = gauss();
         let centers = std::iter::successors(Some(1.0), |odd| Some(odd + 2.0)).take_while(|&odd| odd < 2.0 * parts);
-        centers.fold(D::zero(), |way, odd| {
+        centers.fold(D::zero(), |path_length, odd| {
             let center = u0 + half * odd;
-            points
-                .iter()
-                .fold(way, |way, &[place, weight]| way + self.rate_of_slip(piece, center + half * place, half * weight))
+            points.iter().fold(path_length, |path_length, &[place, weight]| {
+                path_length + self.rate_of_slip(piece, center + half * place, half * weight)
+            })
         })
     }
 
@@ -158,9 +158,12 @@ mod tests {
                 if slope == 0.0 { g } else { 0.5 * g * (slope.hypot(1.0) + slope.asinh() / slope) }
             };
             for [from, to] in [[-1.0, 1.0], [-0.5, 0.75], [0.25, 0.5]] {
-                let way = line.way_within(line.piece(0), from, to);
+                let path_length = line.path_length_within(line.piece(0), from, to);
                 let expected = length(to) - length(from);
-                assert!((way / expected - 1.0).abs() < error, "{height} {from} {to}: {way} and not {expected}");
+                assert!(
+                    (path_length / expected - 1.0).abs() < error,
+                    "{height} {from} {to}: {path_length} and not {expected}"
+                );
             }
         }
     }
@@ -169,10 +172,10 @@ mod tests {
     #[test]
     fn the_way_around_a_smoothed_corner_is_its_length() {
         let line = placed(Interpolation::Linear, Some(0.25), &[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0]]);
-        let way = line.way_within(line.piece(1), 0.0, 1.0);
+        let path_length = line.path_length_within(line.piece(1), 0.0, 1.0);
         // X′ = 2 (1 − t, t): ∫ 2 √(1 − 2t + 2t²) dt.
         let expected = 1.0 + 1.0_f64.asinh() / 2.0_f64.sqrt();
-        assert!((way - expected).abs() < 1e-13, "{way} and not {expected}");
+        assert!((path_length - expected).abs() < 1e-13, "{path_length} and not {expected}");
     }
 
     #[test]
