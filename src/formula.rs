@@ -43,6 +43,28 @@ pub type Jacobian<F, D> = <F as Formula>::Outputs<<F as Formula>::Inputs<D>>;
 /// Value and Jacobian of `F`.
 pub type ValueAndJacobian<F, D> = (<F as Formula>::Outputs<D>, Jacobian<F, D>);
 
+/// A formula without its types, as far as its definition says what it is; every [`Formula`] is one.
+pub trait Described: Send + Sync {
+    /// What is said about it.
+    fn spec(&self) -> Spec;
+    /// Its inputs.
+    fn inputs(&self) -> &'static [Field];
+    /// Its outputs.
+    fn outputs(&self) -> &'static [Field];
+}
+
+impl<F: Formula> Described for F {
+    fn spec(&self) -> Spec {
+        F::SPEC
+    }
+    fn inputs(&self) -> &'static [Field] {
+        F::Inputs::<f64>::FIELDS
+    }
+    fn outputs(&self) -> &'static [Field] {
+        F::Outputs::<f64>::FIELDS
+    }
+}
+
 /// A documented equation: its value, and its Jacobian in closed form where somebody calls or reads it. What is said about it stands in its `Proved`.
 pub trait Formula: Copy + Send + Sync + 'static {
     /// What is said about it.

@@ -25,9 +25,8 @@
 //! | `batch-avx512` | `batch`, with eight rows at a time on processors with AVX-512 |
 //! | `verify` | `Octuple` (237 bits, the exact reference) and `Single`, `proof`, `graph`, `equation`, `verify`, and formulas by name: `catalog::AnyFormula` |
 //! | `catalog` | every formula by identifier, with its proof: `catalog::CATALOG` and `catalog::find` |
-//! | `batch-by-id` | batches by `catalog::AnyFormula`, including `batch` and `verify` |
 //! | `measure` | `measure`, including `batch` and `verify` |
-//! | `measure-by-id` | the same by `catalog::AnyFormula`, including `batch-by-id` and `batch-avx512` |
+//! | `measure-by-id` | the same and batches by `catalog::AnyFormula`, including `batch-avx512` |
 //! | `scene` | `scene`, including `verify`: a scene can show the error of every number |
 //!
 //! ```

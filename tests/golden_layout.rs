@@ -4,7 +4,7 @@ use crate::common;
 use jointproof::catalog::{AnyFormula, CATALOG};
 use jointproof::formula::proof::{Case, Proved};
 use jointproof::formula::quantity::{Domain, Quantity, Shape, Unit};
-use jointproof::formula::{Component, Document, Field, Formula, Jacobian, Spec};
+use jointproof::formula::{Component, Described, Document, Field, Formula, Jacobian, Spec};
 use jointproof::toolkit::verify::golden::{File, components};
 use jointproof::{Scalar, fields};
 use nalgebra::Matrix3;

@@ -1,12 +1,12 @@
 //! Kinks are detected: a planted formula fails if its kink is not registered and passes if it is, and a registered kink that does
 //! not exist fails too.
 
-use jointproof::catalog::{CATALOG, KinkEntry};
+use jointproof::catalog::{AnyFormula, CATALOG, KinkEntry};
 use jointproof::formula::proof::{Case, Convention, Kink, Proved};
 use jointproof::formula::quantity::{F2, F3, FC};
 use jointproof::formula::{Component, Document, Formula, Jacobian, Spec};
 use jointproof::number::scalar::{Scalar, abs, atan2, direction, norm, sign};
-use jointproof::toolkit::verify::{Audit, Examination, Options, Printed, audit, kink, kinks_as_printed};
+use jointproof::toolkit::verify::{Audit, Examination, Options, Printed, audit, kink};
 use jointproof::{Error, fields};
 
 fields! { struct Inputs<T> { f2: T = F2, f3: T = F3 } }
@@ -346,10 +346,10 @@ impl Plant for Strip {
 
 #[test]
 fn a_printed_condition_that_holds_beside_its_kink_is_off() {
-    let printed = kinks_as_printed::<Planted<Strip, true>>();
+    let printed = Planted::<_, true>(Strip).kinks_as_printed();
     let [(_, Printed::Off(why))] = printed.as_slice() else { panic!("{printed:?}") };
     assert_eq!(why, r#"`f_2^2 \le 0.0001` is so at {"f2":0.002,"f3":4.0}"#);
-    let printed = kinks_as_printed::<Planted<Difference, true>>();
+    let printed = Planted::<_, true>(Difference).kinks_as_printed();
     assert_eq!(printed, [("f_2 = f_3".to_owned(), Printed::Executed(4))]);
 }
 

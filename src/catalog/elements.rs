@@ -1,6 +1,6 @@
 //! Elements whose types the compiler does not know.
 
-use super::formulas::expect;
+use super::formulas::{count, expect};
 use crate::Error;
 use crate::formula::proof::{self, ProvedElement, Step};
 use crate::formula::{Field, Spec};
@@ -56,7 +56,7 @@ impl<E: ProvedElement<M, DOFS>, const M: usize, const DOFS: usize> AnyElement fo
         record_element::<E, M, DOFS>(rubs, extremes)
     }
     fn value(&self, components: &[f64], rubs: bool) -> Result<Vec<f64>, Error> {
-        expect(self.inputs(rubs).iter().map(Field::len).sum(), components.len())?;
+        expect(count(self.inputs(rubs)), components.len())?;
         Step::<E, f64, M, DOFS>::of(components, rubs).checked_results()
     }
 }

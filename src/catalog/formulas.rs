@@ -2,8 +2,8 @@
 
 use crate::connector::align;
 use crate::formula::proof::{Case, Convention, Flag, Proved};
-use crate::formula::{Field, Fields, Formula, Spec, check, entries, value, value_and_jacobian};
-#[cfg(feature = "batch-by-id")]
+use crate::formula::{Described, Field, Fields, Formula, check, entries, value, value_and_jacobian};
+#[cfg(feature = "measure-by-id")]
 use crate::toolkit::batch::{self, ArrayView1, ArrayViewMut1};
 use crate::toolkit::equation::Claims;
 use crate::toolkit::graph::{self, Extremes, Graph, NotRecorded};
@@ -12,111 +12,34 @@ use crate::toolkit::measure;
 #[cfg(feature = "measure-by-id")]
 use crate::toolkit::measure::Measurement;
 use crate::toolkit::verify::{
-    Audit, Claim, Judge, Kink, Options, Part, Printed, Shard, Sides, Subject, Trial, audit_at, audit_equation,
+    Audit, Claim, Judge, Kink, Options, Part, Printed, Shard, Sides, Subject, Trial, audit_equation, audit_point,
     claims_about, eta_at_scale, exact, golden, kinks_as_printed, number_of, sides,
 };
 use crate::{Error, Octuple};
 use std::borrow::Cow;
 
 /// A formula whose types of inputs and outputs are erased; every [`Proved`] one is.
-pub trait AnyFormula: Send + Sync {
-    /// Its specification.
-    fn spec(&self) -> Spec;
-    /// Its inputs.
-    fn inputs(&self) -> &'static [Field];
-    /// Its outputs.
-    fn outputs(&self) -> &'static [Field];
+pub trait AnyFormula: Described {
     /// The Rust path of the type that implements it.
     fn path(&self) -> &'static str;
-    /// The flags of its own cases.
-    fn cases(&self) -> Vec<Flag>;
-    /// Its own laws in words.
-    fn laws(&self) -> Vec<String>;
-    /// Its kinks.
-    fn kinks(&self) -> Vec<KinkEntry>;
-    /// Its golden file, computed anew.
-    fn golden(&self) -> golden::File {
-        self.golden_with(golden::LEAST_RANDOM)
-    }
-    /// Its golden file with at least this many random cases.
-    fn golden_with(&self, least_random: usize) -> golden::File;
-    /// The cases of its golden file without their results; inputs by components in order.
-    fn golden_cases(&self) -> Vec<Case<Vec<f64>>>;
-    /// Its audit, executed anew.
-    fn audit(&self, options: &Options) -> Audit;
-    /// A part of its audit, with its share of the random points.
-    fn audit_part(&self, options: &Options, shard: Shard) -> Part;
-    /// Its audit at one point, given by components in order.
-    ///
-    /// # Errors
-    /// As [`AnyFormula::value`].
-    fn audit_at(&self, components: &[f64]) -> Result<Audit, Error>;
-    /// Points at which an equation written by somebody else can be tried.
-    fn trial(&self, options: &Options) -> Trial;
-    /// The judge of another program's results for it.
-    fn judge(&self) -> Judge;
-    /// The claims of its audit about the printed equation: about its value and about its Jacobian.
-    fn audit_equation(&self, options: &Options) -> [Claim; 2];
-    /// The claims of prose about it, checked anew.
-    fn claims(&self, claims: &Claims, options: &Options) -> Claim;
-    /// The conditions of its kinks, executed as printed.
-    fn kinks_as_printed(&self) -> Vec<(String, Printed)>;
-    /// The value of an expression about it.
-    fn number(&self, expression: &Claims) -> Octuple;
+    /// The formula as the toolkit uses it, with its graph cached.
+    fn subject(&self) -> Subject;
     /// The outputs at input components given in order.
     ///
     /// # Errors
     /// As [`value`]; [`Error::Components`] if the number of components is wrong.
     fn value(&self, components: &[f64]) -> Result<Vec<f64>, Error>;
-    /// The entries of the closed-form Jacobian, output by output, each over all inputs.
+    /// The entries of the Jacobian, output by output, each over all inputs.
     ///
     /// # Errors
     /// As [`AnyFormula::value`], except for overflow, which is not checked.
     fn jacobian(&self, components: &[f64]) -> Result<Vec<f64>, Error>;
-    /// Outputs and Jacobian computed together.
+    /// Outputs and Jacobian computed together, written into slices of the exact length, without allocation.
     ///
     /// # Errors
-    /// As [`AnyFormula::value`], and [`Error::DerivativeOverflow`].
-    fn value_and_jacobian(&self, components: &[f64]) -> Result<(Vec<f64>, Vec<f64>), Error>;
-    /// Outputs, and the Jacobian if it is in closed form: the contents of golden files and of exports.
-    ///
-    /// # Errors
-    /// As [`AnyFormula::value_and_jacobian`].
-    fn value_and_closed_jacobian(&self, components: &[f64]) -> Result<(Vec<f64>, Vec<f64>), Error> {
-        if self.spec().is_closed() {
-            self.value_and_jacobian(components)
-        } else {
-            Ok((self.value(components)?, Vec::new()))
-        }
-    }
-    /// As [`AnyFormula::value_and_jacobian`], written into slices of the exact length, without allocation.
-    ///
-    /// # Errors
-    /// As there, and [`Error::Components`] if a slice has another length; nothing is written then.
+    /// As [`AnyFormula::value`], and [`Error::DerivativeOverflow`]; [`Error::Components`] if a slice has another length, and
+    /// nothing is written then.
     fn value_and_jacobian_into(&self, i: &[f64], value: &mut [f64], jacobian: &mut [f64]) -> Result<(), Error>;
-    #[cfg(feature = "batch-by-id")]
-    /// See [`batch::entries`].
-    fn batch_entries(&self) -> Vec<[usize; 2]>;
-    #[cfg(feature = "batch-by-id")]
-    /// See [`batch::value`].
-    ///
-    /// # Errors
-    /// As there.
-    fn batch_value(&self, inputs: &[ArrayView1<f64>], value: &mut [ArrayViewMut1<f64>]) -> Result<(), batch::Error>;
-    #[cfg(feature = "batch-by-id")]
-    /// See [`batch::value_and_jacobian`].
-    ///
-    /// # Errors
-    /// As there.
-    fn batch_value_and_jacobian(
-        &self,
-        inputs: &[ArrayView1<f64>],
-        value: &mut [ArrayViewMut1<f64>],
-        jacobian: &mut [ArrayViewMut1<f64>],
-    ) -> Result<(), batch::Error>;
-    /// The bounds of η of value and Jacobian, checked at this many points whose inputs are 0 or from 1/`scale` to `scale` in
-    /// size.
-    fn eta_at_scale(&self, scale: f64, options: &Options) -> Vec<Claim>;
     /// Its graph: the value, the closed-form Jacobian, and the inputs that it rejects.
     ///
     /// # Errors
@@ -128,14 +51,188 @@ pub trait AnyFormula: Send + Sync {
     /// The reason why the formula cannot be recorded.
     fn graph_with(&self, extremes: Extremes) -> Result<Graph, NotRecorded>;
     #[cfg(feature = "measure-by-id")]
+    /// See [`batch::entries`].
+    fn batch_entries(&self) -> Vec<[usize; 2]>;
+    #[cfg(feature = "measure-by-id")]
+    /// See [`batch::value`].
+    ///
+    /// # Errors
+    /// As there.
+    fn batch_value(&self, inputs: &[ArrayView1<f64>], value: &mut [ArrayViewMut1<f64>]) -> Result<(), batch::Error>;
+    #[cfg(feature = "measure-by-id")]
+    /// See [`batch::value_and_jacobian`].
+    ///
+    /// # Errors
+    /// As there.
+    fn batch_value_and_jacobian(
+        &self,
+        inputs: &[ArrayView1<f64>],
+        value: &mut [ArrayViewMut1<f64>],
+        jacobian: &mut [ArrayViewMut1<f64>],
+    ) -> Result<(), batch::Error>;
+    #[cfg(feature = "measure-by-id")]
     /// The errors of every method of computing it, measured anew.
     fn errors(&self, options: &measure::Options) -> Measurement;
     #[cfg(feature = "measure-by-id")]
     /// Times every method of computing it, and adds the times to the measurement of the errors.
     fn times(&self, options: &measure::Options, measurement: &mut Measurement);
+
+    /// The flags of its own cases.
+    fn cases(&self) -> Vec<Flag> {
+        (self.subject().cases)().iter().map(|case| case.flag).collect()
+    }
+    /// Its own laws in words.
+    fn laws(&self) -> Vec<String> {
+        self.subject().laws.into_iter().map(|law| law.statement).collect()
+    }
+    /// Its kinks.
+    fn kinks(&self) -> Vec<KinkEntry> {
+        let subject = self.subject();
+        subject.kinks.iter().map(|kink| KinkEntry::of(&subject, kink)).collect()
+    }
+    /// Its golden file, computed anew.
+    fn golden(&self) -> golden::File {
+        self.golden_with(golden::LEAST_RANDOM)
+    }
+    /// Its golden file with at least this many random cases.
+    fn golden_with(&self, least_random: usize) -> golden::File {
+        golden::of(&self.subject(), least_random)
+    }
+    /// The cases of its golden file without their results; inputs by components in order.
+    fn golden_cases(&self) -> Vec<Case<Vec<f64>>> {
+        golden::cases(&self.subject(), golden::LEAST_RANDOM)
+    }
+    /// Its audit, executed anew.
+    fn audit(&self, options: &Options) -> Audit {
+        self.audit_part(options, Shard::WHOLE).complete()
+    }
+    /// A part of its audit, with its share of the random points.
+    fn audit_part(&self, options: &Options, shard: Shard) -> Part {
+        Part::of(&self.subject(), options, shard)
+    }
+    /// Its audit at one point, given by components in order.
+    ///
+    /// # Errors
+    /// As [`AnyFormula::value`].
+    fn audit_at(&self, components: &[f64]) -> Result<Audit, Error> {
+        expect(count(self.inputs()), components.len())?;
+        audit_point(&self.subject(), components.to_vec())
+    }
+    /// Points at which an equation written by somebody else can be tried.
+    fn trial(&self, options: &Options) -> Trial {
+        Trial::of(&self.subject(), options)
+    }
+    /// The judge of another program's results for it.
+    fn judge(&self) -> Judge {
+        Judge::of(self.subject())
+    }
+    /// The claims of its audit about the printed equation: about its value and about its Jacobian.
+    fn audit_equation(&self, options: &Options) -> [Claim; 2] {
+        audit_equation(&self.subject(), options)
+    }
+    /// The claims of prose about it, checked anew.
+    fn claims(&self, claims: &Claims, options: &Options) -> Claim {
+        claims_about(&self.subject(), claims, options)
+    }
+    /// The conditions of its kinks, executed as printed.
+    fn kinks_as_printed(&self) -> Vec<(String, Printed)> {
+        kinks_as_printed(&self.subject())
+    }
+    /// The value of an expression about it.
+    fn number(&self, expression: &Claims) -> Octuple {
+        number_of(&self.subject(), expression)
+    }
+    /// The bounds of η of value and Jacobian, checked at this many points whose inputs are 0 or from 1/`scale` to `scale` in
+    /// size.
+    fn eta_at_scale(&self, scale: f64, options: &Options) -> Vec<Claim> {
+        eta_at_scale(&self.subject(), scale, options)
+    }
+    /// Outputs and Jacobian computed together.
+    ///
+    /// # Errors
+    /// As [`AnyFormula::value_and_jacobian_into`].
+    fn value_and_jacobian(&self, components: &[f64]) -> Result<(Vec<f64>, Vec<f64>), Error> {
+        let mut value = vec![0.0; count(self.outputs())];
+        let mut jacobian = vec![0.0; value.len() * count(self.inputs())];
+        self.value_and_jacobian_into(components, &mut value, &mut jacobian)?;
+        Ok((value, jacobian))
+    }
+    /// Outputs, and the Jacobian if it is in closed form: the contents of golden files and of exports.
+    ///
+    /// # Errors
+    /// As [`AnyFormula::value_and_jacobian`].
+    fn value_and_closed_jacobian(&self, components: &[f64]) -> Result<(Vec<f64>, Vec<f64>), Error> {
+        if self.spec().is_closed() {
+            self.value_and_jacobian(components)
+        } else {
+            Ok((self.value(components)?, Vec::new()))
+        }
+    }
     #[cfg(feature = "measure")]
     /// The points used for timing: all components of the first point, then of the next.
-    fn timing_inputs(&self, options: &measure::Options) -> Vec<f64>;
+    fn timing_inputs(&self, options: &measure::Options) -> Vec<f64> {
+        options.timing_inputs(&self.subject()).concat()
+    }
+}
+
+impl<F: Proved> AnyFormula for F {
+    fn path(&self) -> &'static str {
+        std::any::type_name::<F>()
+    }
+    fn subject(&self) -> Subject {
+        let mut subject = Subject::of::<F>();
+        subject.record = || Cow::Borrowed(graph::recorded::<F>());
+        subject
+    }
+    fn value(&self, components: &[f64]) -> Result<Vec<f64>, Error> {
+        Ok(value::<F>(&from_components::<F>(components)?)?.components())
+    }
+    fn value_and_jacobian_into(&self, i: &[f64], value: &mut [f64], jacobian: &mut [f64]) -> Result<(), Error> {
+        let i = from_components::<F>(i)?;
+        expect(F::Outputs::<f64>::LEN, value.len())?;
+        expect(F::Outputs::<f64>::LEN * F::Inputs::<f64>::LEN, jacobian.len())?;
+        let (out, gradients) = value_and_jacobian::<F>(&i)?;
+        write(&out, &mut value.iter_mut());
+        let places = &mut jacobian.iter_mut();
+        gradients.for_each_component(&mut |gradient| write(&gradient, places));
+        Ok(())
+    }
+    fn jacobian(&self, components: &[f64]) -> Result<Vec<f64>, Error> {
+        let inputs = from_components::<F>(components)?;
+        check::<F>(&inputs)?;
+        Ok(entries(&F::jacobian(&inputs)))
+    }
+    fn graph(&self) -> Result<Graph, NotRecorded> {
+        graph::recorded::<F>().clone()
+    }
+    fn graph_with(&self, extremes: Extremes) -> Result<Graph, NotRecorded> {
+        graph::record_with::<F>(extremes)
+    }
+    #[cfg(feature = "measure-by-id")]
+    fn batch_entries(&self) -> Vec<[usize; 2]> {
+        batch::entries::<F>()
+    }
+    #[cfg(feature = "measure-by-id")]
+    fn batch_value(&self, inputs: &[ArrayView1<f64>], value: &mut [ArrayViewMut1<f64>]) -> Result<(), batch::Error> {
+        batch::value::<F>(inputs, value)
+    }
+    #[cfg(feature = "measure-by-id")]
+    fn batch_value_and_jacobian(
+        &self,
+        inputs: &[ArrayView1<f64>],
+        value: &mut [ArrayViewMut1<f64>],
+        jacobian: &mut [ArrayViewMut1<f64>],
+    ) -> Result<(), batch::Error> {
+        batch::value_and_jacobian::<F>(inputs, value, jacobian)
+    }
+    #[cfg(feature = "measure-by-id")]
+    fn errors(&self, options: &measure::Options) -> Measurement {
+        measure::errors::<F>(options)
+    }
+    #[cfg(feature = "measure-by-id")]
+    fn times(&self, options: &measure::Options, measurement: &mut Measurement) {
+        measure::times::<F>(options, measurement);
+    }
 }
 
 /// A kink, with the jump there.
@@ -155,155 +252,27 @@ pub struct KinkEntry {
     pub sides: Option<Sides>,
 }
 
-impl<F: Proved> AnyFormula for F {
-    fn spec(&self) -> Spec {
-        F::SPEC
+impl KinkEntry {
+    fn of(subject: &Subject, kink: &Kink) -> Self {
+        Self {
+            condition: kink.condition.clone(),
+            convention: kink.convention,
+            at: kink.at.clone(),
+            across: kink.across.clone(),
+            one_sided: one_sided(subject, kink),
+            sides: sides(subject, kink),
+        }
     }
-    fn inputs(&self) -> &'static [Field] {
-        F::Inputs::<f64>::FIELDS
-    }
-    fn outputs(&self) -> &'static [Field] {
-        F::Outputs::<f64>::FIELDS
-    }
-    fn path(&self) -> &'static str {
-        std::any::type_name::<F>()
-    }
-    fn cases(&self) -> Vec<Flag> {
-        flags(&Subject::of::<F>())
-    }
-    fn laws(&self) -> Vec<String> {
-        statements(Subject::of::<F>())
-    }
-    fn kinks(&self) -> Vec<KinkEntry> {
-        kinks(&Subject::of::<F>())
-    }
-    fn golden_with(&self, least_random: usize) -> golden::File {
-        golden::of(&subject::<F>(), least_random)
-    }
-    fn golden_cases(&self) -> Vec<Case<Vec<f64>>> {
-        golden::cases(&subject::<F>(), golden::LEAST_RANDOM)
-    }
-    fn audit(&self, options: &Options) -> Audit {
-        Part::of(&subject::<F>(), options, Shard::WHOLE).complete()
-    }
-    fn eta_at_scale(&self, scale: f64, options: &Options) -> Vec<Claim> {
-        eta_at_scale::<F>(scale, options)
-    }
-    fn audit_part(&self, options: &Options, shard: Shard) -> Part {
-        Part::of(&subject::<F>(), options, shard)
-    }
-    fn audit_at(&self, components: &[f64]) -> Result<Audit, Error> {
-        audit_at::<F>(&from_components::<F>(components)?)
-    }
-    fn trial(&self, options: &Options) -> Trial {
-        Trial::of::<F>(options)
-    }
-    fn judge(&self) -> Judge {
-        Judge::about(subject::<F>())
-    }
-    fn audit_equation(&self, options: &Options) -> [Claim; 2] {
-        audit_equation::<F>(options)
-    }
-    fn claims(&self, claims: &Claims, options: &Options) -> Claim {
-        claims_about::<F>(claims, options)
-    }
-    fn kinks_as_printed(&self) -> Vec<(String, Printed)> {
-        kinks_as_printed::<F>()
-    }
-    fn number(&self, expression: &Claims) -> Octuple {
-        number_of::<F>(expression)
-    }
-    fn graph(&self) -> Result<Graph, NotRecorded> {
-        graph::recorded::<F>().clone()
-    }
-    fn graph_with(&self, extremes: Extremes) -> Result<Graph, NotRecorded> {
-        graph::record_with::<F>(extremes)
-    }
-    fn value(&self, components: &[f64]) -> Result<Vec<f64>, Error> {
-        Ok(value::<F>(&from_components::<F>(components)?)?.components())
-    }
-    fn jacobian(&self, components: &[f64]) -> Result<Vec<f64>, Error> {
-        let inputs = from_components::<F>(components)?;
-        check::<F>(&inputs)?;
-        Ok(entries(&F::jacobian(&inputs)))
-    }
-    fn value_and_jacobian(&self, components: &[f64]) -> Result<(Vec<f64>, Vec<f64>), Error> {
-        let mut value = vec![0.0; F::Outputs::<f64>::LEN];
-        let mut jacobian = vec![0.0; value.len() * F::Inputs::<f64>::LEN];
-        self.value_and_jacobian_into(components, &mut value, &mut jacobian)?;
-        Ok((value, jacobian))
-    }
-    fn value_and_jacobian_into(&self, i: &[f64], value: &mut [f64], jacobian: &mut [f64]) -> Result<(), Error> {
-        let i = from_components::<F>(i)?;
-        expect(F::Outputs::<f64>::LEN, value.len())?;
-        expect(F::Outputs::<f64>::LEN * F::Inputs::<f64>::LEN, jacobian.len())?;
-        let (out, gradients) = value_and_jacobian::<F>(&i)?;
-        write(&out, &mut value.iter_mut());
-        let places = &mut jacobian.iter_mut();
-        gradients.for_each_component(&mut |gradient| write(&gradient, places));
-        Ok(())
-    }
-    #[cfg(feature = "batch-by-id")]
-    fn batch_entries(&self) -> Vec<[usize; 2]> {
-        batch::entries::<F>()
-    }
-    #[cfg(feature = "batch-by-id")]
-    fn batch_value(&self, inputs: &[ArrayView1<f64>], value: &mut [ArrayViewMut1<f64>]) -> Result<(), batch::Error> {
-        batch::value::<F>(inputs, value)
-    }
-    #[cfg(feature = "batch-by-id")]
-    fn batch_value_and_jacobian(
-        &self,
-        inputs: &[ArrayView1<f64>],
-        value: &mut [ArrayViewMut1<f64>],
-        jacobian: &mut [ArrayViewMut1<f64>],
-    ) -> Result<(), batch::Error> {
-        batch::value_and_jacobian::<F>(inputs, value, jacobian)
-    }
-    #[cfg(feature = "measure-by-id")]
-    fn errors(&self, options: &measure::Options) -> Measurement {
-        measure::errors::<F>(options)
-    }
-    #[cfg(feature = "measure-by-id")]
-    fn times(&self, options: &measure::Options, measurement: &mut Measurement) {
-        measure::times::<F>(options, measurement);
-    }
-    #[cfg(feature = "measure")]
-    fn timing_inputs(&self, options: &measure::Options) -> Vec<f64> {
-        options.timing_inputs::<F>().concat()
-    }
-}
-
-/// A formula without its types, whose graph is cached: it depends only on the type of the formula.
-fn subject<F: Proved>() -> Subject {
-    let mut subject = Subject::of::<F>();
-    subject.record = || Cow::Borrowed(graph::recorded::<F>());
-    subject
-}
-
-fn flags(subject: &Subject) -> Vec<Flag> {
-    (subject.cases)().iter().map(|case| case.flag).collect()
-}
-
-fn statements(subject: Subject) -> Vec<String> {
-    subject.laws.into_iter().map(|law| law.statement).collect()
-}
-
-fn kinks(subject: &Subject) -> Vec<KinkEntry> {
-    let entry = |kink: &Kink| KinkEntry {
-        condition: kink.condition.clone(),
-        convention: kink.convention,
-        at: kink.at.clone(),
-        across: kink.across.clone(),
-        one_sided: one_sided(subject, kink),
-        sides: sides(subject, kink),
-    };
-    subject.kinks.iter().map(entry).collect()
 }
 
 fn from_components<F: Formula>(components: &[f64]) -> Result<F::Inputs<f64>, Error> {
     let (found, expected) = (components.len(), F::Inputs::<f64>::LEN);
     F::Inputs::from_slice(components).ok_or(Error::Components { found, expected })
+}
+
+/// The number of their components.
+pub(super) fn count(fields: &[Field]) -> usize {
+    fields.iter().map(Field::len).sum()
 }
 
 /// Rejects a wrong number of components.

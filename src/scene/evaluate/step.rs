@@ -4,7 +4,7 @@
 
 use super::lanes::{Column, Failure, LANES, Lanes, Wiring};
 use crate::formula::error::Error;
-use crate::formula::{Field, Fields, Formula};
+use crate::formula::{Described, Field, Fields, Formula};
 use crate::number::scalar::abs;
 use crate::{Octuple, Scalar};
 use std::cell::Cell;
@@ -28,13 +28,7 @@ pub trait Number: Scalar {
 }
 
 /// A [`Formula`] whose type is erased, evaluated over registers; every formula is one.
-pub trait Step: Sync {
-    /// The identifier.
-    fn id(&self) -> &'static str;
-    /// The inputs.
-    fn inputs(&self) -> &'static [Field];
-    /// The outputs.
-    fn outputs(&self) -> &'static [Field];
+pub trait Step: Described {
     /// Evaluates every lane in `f64`.
     fn run_double(&self, wiring: &Wiring, lanes: &mut Lanes<'_, f64>, failures: &mut Vec<Failure>);
     /// Evaluates every lane in 237 bits.
@@ -42,15 +36,6 @@ pub trait Step: Sync {
 }
 
 impl<F: Formula> Step for F {
-    fn id(&self) -> &'static str {
-        F::SPEC.id
-    }
-    fn inputs(&self) -> &'static [Field] {
-        F::Inputs::<f64>::FIELDS
-    }
-    fn outputs(&self) -> &'static [Field] {
-        F::Outputs::<f64>::FIELDS
-    }
     fn run_double(&self, wiring: &Wiring, lanes: &mut Lanes<'_, f64>, failures: &mut Vec<Failure>) {
         pulp::Arch::new().dispatch(Vectors::<F> { wiring, lanes, failures, formula: PhantomData });
     }

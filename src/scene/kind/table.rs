@@ -104,7 +104,7 @@ pub(in crate::scene) const fn renamed<F: Formula>(
 impl Use {
     /// The identifier of the formula.
     pub fn id(&self) -> &'static str {
-        self.step.id()
+        self.step.spec().id
     }
 
     /// The same formula, used only under a condition.

@@ -82,7 +82,7 @@ impl Group {
         let of_pass = |pass: &Pass, once| {
             let (kind, elements) = (self.kind.name, self.elements.len());
             let line = |step: &recipe::Planned| PlanLine {
-                formula: step.step.id(),
+                formula: step.step.spec().id,
                 kind,
                 elements,
                 once,

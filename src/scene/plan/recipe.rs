@@ -16,7 +16,7 @@ pub(in crate::scene) struct Planned {
 
 impl fmt::Debug for Planned {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct(self.step.id()).field("wiring", &self.wiring).field("why", &self.why).finish()
+        f.debug_struct(self.step.spec().id).field("wiring", &self.wiring).field("why", &self.why).finish()
     }
 }
 

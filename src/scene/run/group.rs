@@ -78,8 +78,9 @@ impl<T: Number> GroupState<T> {
         let elements = group.elements.len();
         let passes = [(&group.recipe.start, self.starts), (&group.recipe.state, self.states)];
         let evaluated = passes.into_iter().filter(|&(_, times)| times > 0);
-        evaluated
-            .flat_map(move |(pass, times)| pass.steps.iter().map(move |planned| (planned.step.id(), times * elements)))
+        evaluated.flat_map(move |(pass, times)| {
+            pass.steps.iter().map(move |planned| (planned.step.spec().id, times * elements))
+        })
     }
 
     /// The components of an output of an element.

@@ -82,7 +82,8 @@ fn measured(subject: &Subject, points: &exact::Points, methods: &[Method], curve
 /// Times every method of a measurement whose errors are known.
 pub fn times<F: Proved>(options: &Options, measurement: &mut Measurement) {
     let methods = methods::all::<F>(&measurement.curves);
-    let points = clock::Points { random: options.timing_inputs::<F>(), hard: exact::hard(&Subject::of::<F>()) };
+    let subject = Subject::of::<F>();
+    let points = clock::Points { random: options.timing_inputs(&subject), hard: exact::hard(&subject) };
     let clock = clock::clock();
     clock::time(&methods, clock::beside::<F>(&points), &points, (options, &clock), measurement);
     measurement.columns = columns::time::<F>(options, &clock);

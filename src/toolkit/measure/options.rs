@@ -1,6 +1,5 @@
 //! The extent of a measurement.
 
-use crate::formula::proof::Proved;
 use crate::toolkit::verify::{Sampler, Subject};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -55,8 +54,8 @@ impl Options {
     }
 
     /// The points used for timing, as components.
-    pub fn timing_inputs<F: Proved>(&self) -> Vec<Vec<f64>> {
-        random(&Subject::of::<F>(), self.seed, self.timing_points)
+    pub(crate) fn timing_inputs(&self, subject: &Subject) -> Vec<Vec<f64>> {
+        random(subject, self.seed, self.timing_points)
     }
 }
 

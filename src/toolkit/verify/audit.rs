@@ -13,9 +13,9 @@ use super::sensitivities::Sensitivities;
 use super::shard::Shard;
 use super::subject::{Law, Subject};
 use super::{Sampler, Sensitivity, finite, invariance};
+use crate::formula::Fields;
 use crate::formula::proof::Proved;
 use crate::formula::proof::law::residual;
-use crate::formula::{Fields, check};
 use crate::toolkit::equation::Equation;
 use crate::{Error, Octuple};
 use num_traits::{Signed, Zero};
@@ -132,10 +132,14 @@ pub(super) fn audit_share(subject: &Subject, options: &Options, shard: Shard) ->
 /// # Errors
 /// An error for the invalid input.
 pub fn audit_at<F: Proved>(inputs: &F::Inputs<f64>) -> Result<Audit, Error> {
-    check::<F>(inputs)?;
-    let subject = Subject::of::<F>();
-    let named = vec![Point::new(&subject, "given".into(), false, inputs.components())];
-    Ok(audit_points(&subject, &Points { named, searched: 0, random: Vec::new(), before: 0, seed: 0, starts: None }))
+    audit_point(&Subject::of::<F>(), inputs.components())
+}
+
+/// As [`audit_at`], without types.
+pub(crate) fn audit_point(subject: &Subject, inputs: Vec<f64>) -> Result<Audit, Error> {
+    (subject.check)(&inputs)?;
+    let named = vec![Point::new(subject, "given".into(), false, inputs)];
+    Ok(audit_points(subject, &Points { named, searched: 0, random: Vec::new(), before: 0, seed: 0, starts: None }))
 }
 
 /// The points of an audit, or of a part of one.
@@ -228,11 +232,7 @@ fn closed_form(subject: &Subject, points: &[Point]) -> Option<Claim> {
 }
 
 /// Audits the printed equation alone: its value and its Jacobian, at all points at which an audit compares them.
-pub fn audit_equation<F: Proved>(options: &Options) -> [Claim; 2] {
-    equation_of(&Subject::of::<F>(), options)
-}
-
-fn equation_of(subject: &Subject, options: &Options) -> [Claim; 2] {
+pub(crate) fn audit_equation(subject: &Subject, options: &Options) -> [Claim; 2] {
     let (printed, mut claims) = read_equation(subject);
     let Some(printed) = printed else { return claims };
     let names = Names::new(subject);

@@ -20,7 +20,7 @@ use super::subject::Subject;
 use super::{Sampler, Sensitivity, exact, rounded};
 use crate::Octuple;
 use crate::formula::Field;
-use crate::formula::proof::{Case, Convention, Flag, Proved};
+use crate::formula::proof::{Case, Convention, Flag};
 use crate::formula::quantity::Domain;
 pub(super) use layout::render;
 use numbers::named_jacobian;
@@ -32,12 +32,6 @@ const CANDIDATES: usize = 4;
 pub const LEAST_RANDOM: usize = 16;
 /// The seed of the random cases.
 const SEED: u64 = 0;
-
-/// The golden file of `F`, computed now, with at least `least_random` random cases; the committed files have
-/// [`LEAST_RANDOM`].
-pub fn file<F: Proved>(least_random: usize) -> File {
-    of(&Subject::of::<F>(), least_random)
-}
 
 pub(crate) fn of(subject: &Subject, least_random: usize) -> File {
     let spec = subject.spec;
@@ -243,7 +237,7 @@ mod tests {
 
     #[test]
     fn a_file_says_what_the_formula_is() {
-        let file = file::<Friction>(LEAST_RANDOM);
+        let file = of(&Subject::of::<Friction>(), LEAST_RANDOM);
         assert_eq!(
             (file.formula.as_str(), file.schema.as_str(), file.layout),
             ("slot.friction", "schema.json", LAYOUT)

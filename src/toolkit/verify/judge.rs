@@ -4,7 +4,7 @@ use super::audit::beside_kinks;
 use super::point::Options;
 use super::subject::Subject;
 use super::{Sampler, Sensitivity, eta, exact, golden};
-use crate::formula::proof::{Convention, Proved};
+use crate::formula::proof::Convention;
 use crate::{Error, Octuple};
 
 /// Judges the results of another program for a formula.
@@ -13,7 +13,7 @@ use crate::{Error, Octuple};
 /// use jointproof::connector::slot::ContactForce;
 /// use jointproof::toolkit::verify::Judge;
 ///
-/// let truth = Judge::of::<ContactForce>().at(&[3.0, 4.0], true)?;
+/// let truth = Judge::of(Subject::of::<ContactForce>()).at(&[3.0, 4.0], true)?;
 /// assert_eq!(truth.value[0].eta(5.0), 0.0);
 /// assert!(truth.jacobian.unwrap()[0].eta(0.6 * (1.0 + 1e-6)) > 1e9);
 /// # Ok::<(), jointproof::Error>(())
@@ -73,11 +73,7 @@ impl Known {
 
 impl Judge {
     /// For this formula.
-    pub fn of<F: Proved>() -> Self {
-        Self::about(Subject::of::<F>())
-    }
-
-    pub(crate) fn about(subject: Subject) -> Self {
+    pub(crate) fn of(subject: Subject) -> Self {
         Self { subject }
     }
 
@@ -152,7 +148,7 @@ mod tests {
 
     #[test]
     fn points_are_cases_those_beside_kinks_and_so_many_random_ones() {
-        let judge = Judge::of::<ReturnMap>();
+        let judge = Judge::of(Subject::of::<ReturnMap>());
         let points = |samples| judge.points(&Options { samples, seed: 5 });
         let (none, two) = (points(0), points(2));
         assert_eq!(
@@ -166,7 +162,7 @@ mod tests {
 
     #[test]
     fn value_and_jacobian_are_exact_with_what_rounding_of_the_inputs_does() {
-        let truth = Judge::of::<ContactForce>().at(&[3.0, 4.0], true).expect("the inputs are valid");
+        let truth = Judge::of(Subject::of::<ContactForce>()).at(&[3.0, 4.0], true).expect("the inputs are valid");
         let jacobian = truth.jacobian.expect("it was asked for");
         assert_eq!((truth.value.len(), jacobian.len()), (1, 2));
         assert!(truth.kink.is_none());
@@ -182,19 +178,19 @@ mod tests {
 
     #[test]
     fn on_a_switch_there_is_no_jacobian_and_elsewhere_none_that_is_not_asked_for() {
-        let judge = Judge::of::<ReturnMap>();
+        let judge = Judge::of(Subject::of::<ReturnMap>());
         let at = |f_trial, with_jacobian| judge.at(&[f_trial, 0.5, 4.0], with_jacobian).expect("they are valid");
         assert!(at(1.0, true).jacobian.is_some() && at(1.0, false).jacobian.is_none());
         let tie = at(2.0, true);
         assert!(tie.jacobian.is_none());
         assert!(matches!(tie.kink, Some((condition, Convention::Switch)) if condition.contains("mu F_N")));
-        let apex = Judge::of::<ContactForce>().at(&[0.0, 0.0], true).expect("they are valid");
+        let apex = Judge::of(Subject::of::<ContactForce>()).at(&[0.0, 0.0], true).expect("they are valid");
         assert!(matches!(apex.kink, Some((_, Convention::Subgradient))) && apex.jacobian.is_some());
     }
 
     #[test]
     fn inputs_that_are_too_few_or_not_allowed_are_refused() {
-        let judge = Judge::of::<ReturnMap>();
+        let judge = Judge::of(Subject::of::<ReturnMap>());
         assert_eq!(judge.at(&[1.0], true).unwrap_err(), Error::Components { found: 1, expected: 3 });
         assert_eq!(
             judge.at(&[1.0, -0.5, 4.0], true).unwrap_err().to_string(),

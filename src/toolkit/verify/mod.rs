@@ -69,7 +69,8 @@ mod trial;
 
 #[cfg(feature = "measure")]
 pub(crate) use audit::beside_kinks;
-pub use audit::{Audit, audit_at, audit_equation};
+pub use audit::{Audit, audit_at};
+pub(crate) use audit::{audit_equation, audit_point};
 pub use claim::{Claim, Deviation};
 pub use difference::central_differences;
 pub use element::{ELEMENT_LAYOUT, ElementAudit, ElementFile, ElementRecord, Layout, Out, audit_element};
@@ -80,16 +81,18 @@ pub use eta::{Sensitivity, eta, relative};
 pub use jet::derivative_of_jacobian;
 pub use judge::{Judge, Known, Truth};
 pub use kinks::{Comparison, Coverage, Examination, Rank, Search, Sides};
-pub use part::{Part, audit, audit_part};
+pub use part::{Part, audit};
 pub use point::Options;
-pub use prose::{Printed, claims_about, claims_at_large, kinks_as_printed, number_at_large, number_of};
+pub use prose::{Printed, claims_at_large, number_at_large};
+pub(crate) use prose::{claims_about, kinks_as_printed, number_of};
 pub use sample::Sampler;
-pub use scale::eta_at_scale;
+pub(crate) use scale::eta_at_scale;
 pub use shard::{PartError, Shard};
 pub use trial::Trial;
 
 pub(crate) use kinks::sides;
-pub(crate) use subject::{Kink, Subject};
+pub(crate) use subject::Kink;
+pub use subject::Subject;
 
 use crate::Octuple;
 use crate::formula::proof::{Convention, Proved};

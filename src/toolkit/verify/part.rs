@@ -12,12 +12,7 @@ use serde::{Deserialize, Serialize};
 
 /// Audits one formula.
 pub fn audit<F: Proved>(options: &Options) -> Audit {
-    audit_part::<F>(options, Shard::WHOLE).complete()
-}
-
-/// A part of the audit of one formula, at its share of the random points.
-pub fn audit_part<F: Proved>(options: &Options, shard: Shard) -> Part {
-    Part::of(&Subject::of::<F>(), options, shard)
+    Part::of(&Subject::of::<F>(), options, Shard::WHOLE).complete()
 }
 
 /// A part of the audit of one formula, or several consecutive parts.
@@ -152,7 +147,7 @@ mod tests {
     /// Consecutive parts with these indices, with `count` checks each.
     fn part(shards: [usize; 2], of: usize, samples: usize, count: usize) -> Part {
         let shard = Shard::new(2, 2).expect("there is one");
-        let mut part = audit_part::<ReturnMap>(&Options { samples: 0, seed: 1 }, shard);
+        let mut part = Part::of(&Subject::of::<ReturnMap>(), &Options { samples: 0, seed: 1 }, shard);
         assert!(!part.comparisons.is_empty());
         part.comparisons.iter_mut().for_each(|comparison| comparison.counts = [count, 2 * count]);
         part.audit.named_points = count;

@@ -8,18 +8,13 @@ use super::subject::{Kink, Subject};
 use super::{Sampler, Sensitivity, exact, golden};
 use crate::Octuple;
 use crate::formula::Field;
-use crate::formula::proof::Proved;
 use crate::formula::quantity::Domain;
 use crate::toolkit::equation::{ClaimAt, Claims, Free, Setting, Signature};
 use nalgebra::Vector3;
 use num_traits::Zero;
 
 /// Checks claims about a formula at its cases, near its kinks and at random points, in 237 bits.
-pub fn claims_about<F: Proved>(claims: &Claims, options: &Options) -> Claim {
-    about(&Subject::of::<F>(), claims, options)
-}
-
-fn about(subject: &Subject, claims: &Claims, options: &Options) -> Claim {
+pub(crate) fn claims_about(subject: &Subject, claims: &Claims, options: &Options) -> Claim {
     let mut sampler = Sampler::for_formula(subject.spec.id, options.seed);
     let random =
         (0..options.samples).map(|k| (format!("random {k} of seed {}", options.seed), sampler.components(subject)));
@@ -72,11 +67,7 @@ pub enum Printed {
 
 /// Executes the printed condition of every kink: it must hold on the kink and not near it, and at each case exactly if
 /// the registered one does.
-pub fn kinks_as_printed<F: Proved>() -> Vec<(String, Printed)> {
-    as_printed(&Subject::of::<F>())
-}
-
-fn as_printed(subject: &Subject) -> Vec<(String, Printed)> {
+pub(crate) fn kinks_as_printed(subject: &Subject) -> Vec<(String, Printed)> {
     let of = Signature { spec: subject.spec, inputs: subject.inputs, outputs: subject.outputs };
     let setting = Setting { of: Some(of), is_deep: true, ..Setting::default() };
     let all = subject.kinks.iter().map(|kink| (kink.condition.clone(), printed(subject, kink, &setting)));
@@ -119,8 +110,7 @@ fn is_met(subject: &Subject, claims: &Claims, inputs: &[Octuple]) -> bool {
 }
 
 /// The value of an expression about a formula, if all inputs it needs are given.
-pub fn number_of<F: Proved>(expression: &Claims) -> Octuple {
-    let subject = Subject::of::<F>();
+pub(crate) fn number_of(subject: &Subject, expression: &Claims) -> Octuple {
     let count = subject.inputs.iter().map(Field::len).sum();
     let inputs = expression.inputs(&vec![Octuple::NAN; count], &[]);
     let [values, jacobian] = [(subject.exact_value)(&inputs), (subject.exact_jacobian)(&inputs)];

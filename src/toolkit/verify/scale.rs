@@ -6,7 +6,6 @@ use super::point::{Names, Options, Point, random_points};
 use super::sample::{DOUBLINGS, Sampler};
 use super::subject::Subject;
 use crate::Octuple;
-use crate::formula::proof::Proved;
 use crate::formula::quantity::{Domain, Quantity};
 use crate::number::power::{exponent, power_of_two};
 use num_traits::Signed;
@@ -24,11 +23,7 @@ pub(super) fn scaled(subject: &Subject, names: &Names, points: &[Point], before:
 }
 
 /// Checks the bounds of η of value and Jacobian at points whose inputs are 0 or from 1/`scale` to `scale` in size.
-pub fn eta_at_scale<F: Proved>(scale: f64, options: &Options) -> Vec<Claim> {
-    at_scale(&Subject::of::<F>(), scale, options)
-}
-
-fn at_scale(subject: &Subject, scale: f64, options: &Options) -> Vec<Claim> {
+pub(crate) fn eta_at_scale(subject: &Subject, scale: f64, options: &Options) -> Vec<Claim> {
     let &Options { samples, seed } = options;
     let points = random_points(subject, options, 0..samples);
     check(subject, &Names::new(subject), Range { scale, seed }, (0..).zip(&points))
@@ -198,7 +193,7 @@ mod tests {
             (checks(0, 1), checks(1, 25), checks(1, 26), checks(0, 51)),
             (vec![2, 4], vec![0, 0], vec![2, 4], vec![6, 12])
         );
-        let claims = at_scale(&subject, 1e6, &Options { samples: 3, seed: 1 });
+        let claims = eta_at_scale(&subject, 1e6, &Options { samples: 3, seed: 1 });
         let [value, jacobian] = <[Claim; 2]>::try_from(claims).expect("the Jacobian is in closed form");
         assert_eq!((value.claim.as_str(), value.bound), ("η of the value in f64, at sizes from 1/1e6 to 1e6", 1.0));
         assert!(jacobian.claim.starts_with("η of the closed-form Jacobian in f64"), "{}", jacobian.claim);
@@ -252,7 +247,7 @@ mod tests {
         let subject = Subject::of::<ContactForce>();
         let options = Options { samples: 1, seed: 1 };
         let points = random_points(&subject, &options, 0..1);
-        let asked = at_scale(&subject, subject.spec.scale, &options);
+        let asked = eta_at_scale(&subject, subject.spec.scale, &options);
         assert_eq!(scaled(&subject, &Names::new(&subject), &points, 0, 1), asked);
     }
 }

@@ -11,8 +11,8 @@ use crate::{Error, Octuple, Scalar};
 use std::borrow::Cow;
 use std::cell::OnceCell;
 
-/// A formula with its types erased.
-pub(crate) struct Subject {
+/// A formula with its types erased: what the toolkit works on.
+pub struct Subject {
     pub(crate) spec: Spec,
     pub(crate) inputs: &'static [Field],
     pub(crate) outputs: &'static [Field],
@@ -65,7 +65,8 @@ pub(crate) struct Law {
 }
 
 impl Subject {
-    pub(crate) fn of<F: Proved>() -> Self {
+    /// This formula.
+    pub fn of<F: Proved>() -> Self {
         Self {
             spec: F::SPEC,
             inputs: F::Inputs::<f64>::FIELDS,

@@ -8,7 +8,6 @@ use super::subject::Subject;
 use super::{Sampler, Sensitivity, golden};
 use crate::Octuple;
 use crate::formula::Field;
-use crate::formula::proof::Proved;
 use crate::toolkit::equation::Equation;
 
 /// The values of a formula at its cases, near its kinks and at random points, in 237 bits.
@@ -20,7 +19,7 @@ use crate::toolkit::equation::Equation;
 /// use jointproof::toolkit::verify::{Options, Trial};
 ///
 /// let (inputs, outputs) = (CrossForces::<f64>::FIELDS, Contact::<f64>::FIELDS);
-/// let trial = Trial::of::<ContactForce>(&Options { samples: 5, seed: 1 });
+/// let trial = Trial::of(&Subject::of::<ContactForce>(), &Options { samples: 5, seed: 1 });
 /// let renamed = [("a", "f2"), ("b", "f3"), ("F", "fc")];
 /// let right = Equation::read(r"F = \sqrt{a^2 + b^2}", &renamed, inputs, outputs)?;
 /// assert!(trial.compare(&right).held());
@@ -46,11 +45,7 @@ struct TrialPoint {
 
 impl Trial {
     /// Evaluates a formula.
-    pub fn of<F: Proved>(options: &Options) -> Self {
-        Self::of_subject(&Subject::of::<F>(), options)
-    }
-
-    fn of_subject(subject: &Subject, options: &Options) -> Self {
+    pub(crate) fn of(subject: &Subject, options: &Options) -> Self {
         let mut sampler = Sampler::for_formula(subject.spec.id, options.seed);
         let random = (0..options.samples).map(|k| {
             let label = format!("random {k} of seed {}", options.seed);
@@ -110,7 +105,7 @@ mod tests {
     fn random_points_are_as_many_as_asked() {
         let points = |samples| {
             let options = Options { samples, ..Options::default() };
-            Trial::of::<crate::connector::slot::ContactForce>(&options).points.len()
+            Trial::of(&Subject::of::<crate::connector::slot::ContactForce>(), &options).points.len()
         };
         assert_eq!(points(5), points(0) + 5);
     }
@@ -126,7 +121,7 @@ mod tests {
     /// A deviation at one of many points is found there, and nothing elsewhere.
     #[test]
     fn an_equation_is_compared_at_every_point() {
-        let trial = Trial::of::<ContactForce>(&Options { samples: 3, seed: 1 });
+        let trial = Trial::of(&Subject::of::<ContactForce>(), &Options { samples: 3, seed: 1 });
         let right = trial.compare(&read(r"F = \sqrt{a^2 + b^2}"));
         assert_eq!((right.checks, right.failures), (trial.points.len(), 0));
         let on_kink =
@@ -144,7 +139,7 @@ mod tests {
     /// Random points come first, since points in general position are the most informative.
     #[test]
     fn what_is_known_of_a_point_is_exact() {
-        let trial = Trial::of::<ContactForce>(&Options { samples: 1, seed: 1 });
+        let trial = Trial::of(&Subject::of::<ContactForce>(), &Options { samples: 1, seed: 1 });
         assert_eq!(trial.points[0].label, "random 0 of seed 1");
         let point = trial.points.iter().find(|point| point.inputs == [3.0, 4.0]).expect("it is a case");
         assert_eq!((point.values[0], point.on_kink), (5.0.into(), false));

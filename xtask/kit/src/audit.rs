@@ -321,6 +321,7 @@ mod tests {
     use crate::sample;
     use expect_test::expect_file;
     use jointproof::connector::slot::{ContactForce, Friction};
+    use jointproof::formula::Formula;
 
     /// The two audits of the sample.
     fn audits() -> [Audit; 2] {
@@ -374,7 +375,7 @@ mod tests {
     fn what_failed_even_once_is_a_finding_on_the_line_of_its_function() {
         let project = Project::new("jointproof", env!("CARGO_MANIFEST_DIR"), &[]).in_folder("../..");
         let (mut well, mut badly) = (sample::passed(), sample::passed());
-        (well.formula, badly.formula) = (ContactForce.spec().id.into(), Friction.spec().id.into());
+        (well.formula, badly.formula) = (ContactForce::SPEC.id.into(), Friction::SPEC.id.into());
         badly.closed_against_ad.as_mut().unwrap().failures = 1;
         badly.eta.failures = 2;
         let found = findings(&project, &[&ContactForce, &Friction], &[well, badly]).unwrap();

@@ -1,7 +1,7 @@
 //! The models of a cross arm as functions of its slenderness.
 
-use super::chart::{Axis, Chart, Curve};
 use crate::studies::arm_models::{Models, curves};
+use kit::{Axis, Chart, Curve};
 
 fn slenderness() -> Axis<'static> {
     Axis {

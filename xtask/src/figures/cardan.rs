@@ -1,7 +1,7 @@
 //! The error of both forms of β near 90°.
 
-use super::chart::{Axis, Chart, Curve};
 use crate::studies::near_right_angle::errors_near_right_angle;
+use kit::{Axis, Chart, Curve};
 
 /// Distances from 90°, in radians.
 const DISTANCES: [f64; 15] = [1e-1, 3e-2, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5, 3e-6, 1e-6, 3e-7, 1e-7, 3e-8, 1e-8];

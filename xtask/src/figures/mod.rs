@@ -2,7 +2,6 @@
 
 mod arm;
 mod cardan;
-pub(crate) mod chart;
 mod mechanism;
 mod newton;
 mod signs;

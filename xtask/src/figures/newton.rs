@@ -1,6 +1,6 @@
 //! The examples that use Newton's method, with the full tangent and with a part of it omitted.
 
-use super::chart::{Axis, Chart, Curve};
+use kit::{Axis, Chart, Curve};
 #[path = "../../../tests/examples/two_rods.rs"]
 #[expect(dead_code, reason = "the example has a main function")]
 mod two_rods;

@@ -1,6 +1,5 @@
 //! A slide line with smoothed corners and projections onto it, and the laws of pressure and damping.
 
-use super::chart::{Axis, Chart, Curve};
 use jointproof::contact::interaction::{
     Damping, DampingContact, ExponentialContact, LinearContact, PressureExponential, PressureLinear,
 };
@@ -9,6 +8,7 @@ use jointproof::contact::slide_line::{
     SmoothedLinearPoint,
 };
 use jointproof::formula::{Formula, value};
+use kit::{Axis, Chart, Curve};
 use nalgebra::Vector2;
 
 type Point = Vector2<f64>;

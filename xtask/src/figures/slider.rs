@@ -1,8 +1,8 @@
 //! SLIDER by both routes: errors for difficult lines, and the jump of t1 and t2.
 
-use super::chart::{Axis, Chart, Curve};
 use crate::studies::routes::Setting;
 use jointproof::connector::slider::{Nodes, Slider};
+use kit::{Axis, Chart, Curve};
 use nalgebra::Vector3;
 use std::fmt::Write;
 

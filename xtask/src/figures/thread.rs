@@ -1,9 +1,9 @@
 //! The worked example of the chapter on the threaded connector: four flanks of a thread as slide lines.
 
-use super::chart::{Axis, Chart, Curve};
 use jointproof::Error;
 use jointproof::contact::isl::{Contact, ContactState, ElementSet, Increment, Interaction, IslElement, TorquePrint};
 use jointproof::contact::slide_line::{Interpolation, Nodes, SlideLine};
+use kit::{Axis, Chart, Curve};
 use std::f64::consts::PI;
 
 /// Lengths in mm, forces in N. The load flank of the box runs from the radius 46 to 52, that of the pin from 47 to 51.

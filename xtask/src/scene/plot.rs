@@ -1,7 +1,7 @@
 //! Plots of results over the history.
 
-use crate::figures::chart::{Axis, Chart, Curve};
 use jointproof::scene::Results;
+use kit::{Axis, Chart, Curve};
 
 /// The largest number of curves in a chart; a fifth style would not be distinguishable from the first.
 const CURVES: usize = 4;
@@ -42,31 +42,9 @@ pub(crate) fn chart(results: &Results, output: &str, name: &str, label: &str, de
         name,
         title: &title,
         description,
-        x: axis("time", results.times.iter().copied()),
-        y: axis(label, values()),
+        x: Axis::linear("time", results.times.iter().copied()),
+        y: Axis::linear(label, values()),
         curves,
     }
     .svg()
-}
-
-/// A linear axis with round ticks that contains the values.
-fn axis(label: &str, values: impl Iterator<Item = f64>) -> Axis<'_> {
-    let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
-    // A constant needs an interval of non-zero length.
-    let room = if high > low { 0.0 } else { high.abs().max(1e-300) * 0.5 };
-    let (low, high) = (low - room, high + room);
-    let rough = (high - low) / 5.0;
-    let decade = 10_f64.powf(rough.log10().floor());
-    let step =
-        [1.0, 2.0, 5.0, 10.0].map(|factor| factor * decade).into_iter().find(|&step| step >= rough).unwrap_or(rough);
-    let (first, last) = ((low / step).floor(), (high / step).ceil());
-    // Divided by the reciprocal if that is an integer, so that 0.1 × 3 is printed as 0.3.
-    let tick = |k: f64| if step < 1.0 { k / (1.0 / step).round() } else { k * step };
-    let mut ticks = Vec::new();
-    let mut k = first;
-    while k <= last && ticks.len() < 20 {
-        ticks.push(tick(k));
-        k += 1.0;
-    }
-    Axis { label, from: first * step, to: last * step, logarithmic: false, ticks }
 }

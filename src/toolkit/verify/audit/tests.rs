@@ -6,7 +6,7 @@ use crate::fields;
 use crate::formula::quantity::{F2, X};
 use crate::formula::{Component, Document, Formula, Jacobian, Spec};
 use crate::number::scalar::Scalar;
-use crate::toolkit::verify::audit_part;
+use crate::toolkit::verify::Part;
 
 fn at(f2: f64, f3: f64) -> Audit {
     audit_at::<ContactForce>(&CrossForces { f2, f3 }).expect("they are valid")
@@ -85,15 +85,18 @@ fn a_derivative_by_hand_has_its_bound_stated() {
 #[test]
 fn that_an_equation_cannot_be_read_is_said_once() {
     let failures = |index| {
-        let part =
-            audit_part::<Unreadable>(&Options { samples: 0, seed: 1 }, Shard::new(index, 2).expect("there is one"));
+        let part = Part::of(
+            &Subject::of::<Unreadable>(),
+            &Options { samples: 0, seed: 1 },
+            Shard::new(index, 2).expect("there is one"),
+        );
         let part = serde_json::to_value(part).expect("it is sent so");
         part["audit"]["equation"]["failures"].clone()
     };
     assert_eq!([failures(1), failures(2)], [1, 0]);
     let given = audit_at::<Unreadable>(&One { x: 2.0 }).expect("it is valid");
     assert_eq!(given.equation.failures, 1);
-    let [value, _] = audit_equation::<Unreadable>(&Options { samples: 1, seed: 1 });
+    let [value, _] = audit_equation(&Subject::of::<Unreadable>(), &Options { samples: 1, seed: 1 });
     assert_eq!((value.checks, value.failures), (0, 1));
 }
 
@@ -104,7 +107,7 @@ fn an_equation_is_compared_at_cases_beside_kinks_and_at_random_points() {
     let smooth = named.iter().filter(|point| point.kink.is_none()).count();
     assert!(smooth < named.len());
     for samples in [0, 3] {
-        let [value, jacobian] = audit_equation::<ContactForce>(&Options { samples, seed: 1 });
+        let [value, jacobian] = audit_equation(&Subject::of::<ContactForce>(), &Options { samples, seed: 1 });
         assert_eq!((value.checks, jacobian.checks), (named.len() + samples, 2 * (smooth + samples)));
         assert_eq!((value.failures, jacobian.failures), (0, 0));
     }
@@ -122,7 +125,7 @@ fn an_equation_is_not_compared_where_it_has_several_values() {
     let smooth = named.iter().find(|point| point.kink.is_none()).expect("there is one");
     let claim = at(&smooth.inputs);
     assert!(claim.held(), "{claim:?}");
-    let [value, _] = audit_equation::<ClosestLinear>(&Options { samples: 0, seed: 1 });
+    let [value, _] = audit_equation(&Subject::of::<ClosestLinear>(), &Options { samples: 0, seed: 1 });
     assert_eq!(value.checks, claim.checks * named.iter().filter(|point| point.kink.is_none()).count());
 }
 

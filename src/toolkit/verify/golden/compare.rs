@@ -150,7 +150,7 @@ mod tests {
 
     #[test]
     fn cases_that_are_in_one_file_alone_are_named() {
-        let file = golden::file::<ContactForce>(golden::LEAST_RANDOM);
+        let file = golden::of(&crate::toolkit::verify::Subject::of::<ContactForce>(), golden::LEAST_RANDOM);
         let [mut now, mut committed] = [file.clone(), file.clone()];
         now.cases.truncate(3);
         committed.cases.drain(..1);

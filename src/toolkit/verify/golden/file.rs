@@ -192,7 +192,7 @@ mod tests {
 
     #[test]
     fn a_file_ends_with_a_line_and_reads_back() {
-        let file = golden::file::<ContactForce>(golden::LEAST_RANDOM);
+        let file = golden::of(&crate::toolkit::verify::Subject::of::<ContactForce>(), golden::LEAST_RANDOM);
         let text = file.render().unwrap();
         assert!(text.starts_with("{\n  \"schema\": \"schema.json\",\n") && text.ends_with("\n}\n"));
         assert_eq!(File::parse(&text).unwrap(), file);

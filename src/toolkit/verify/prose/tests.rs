@@ -51,7 +51,7 @@ const OPTIONS: Options = Options { samples: 3, seed: 1 };
 fn found(latex: &str, free: &str) -> Claim {
     let subject = Subject::of::<ContactForce>();
     let claims = Claims::read(latex, &setting(&subject, free)).expect("it can be read");
-    claims_about::<ContactForce>(&claims, &OPTIONS)
+    claims_about(&Subject::of::<ContactForce>(), &claims, &OPTIONS)
 }
 
 #[test]
@@ -101,7 +101,7 @@ fn what_holds_of_triads_holds_where_they_are_made_orthonormal() {
     let failures = |triads| {
         let setting = Setting { triads, ..setting(&subject, "") };
         let claims = Claims::read(r"\mathbf{e}_{1a}\cdot\mathbf{e}_{1a} = 1", &setting).expect("it can be read");
-        claims_about::<RelativePosition>(&claims, &OPTIONS).failures
+        claims_about(&Subject::of::<RelativePosition>(), &claims, &OPTIONS).failures
     };
     assert_eq!(failures(true), 0);
     assert!(failures(false) > 0);
@@ -111,14 +111,14 @@ fn what_holds_of_triads_holds_where_they_are_made_orthonormal() {
 fn printed_as(condition: &str) -> Printed {
     let mut subject = Subject::of::<ContactForce>();
     subject.kinks[0].condition = condition.into();
-    as_printed(&subject).swap_remove(0).1
+    kinks_as_printed(&subject).swap_remove(0).1
 }
 
 #[test]
 fn conditions_of_kinks_are_executed_on_them_beside_them_and_at_cases() {
     let cases = (Subject::of::<ContactForce>().cases)().len();
     let executed = Printed::Executed(cases + 3);
-    assert_eq!(kinks_as_printed::<ContactForce>(), [("f_2 = f_3 = 0".into(), executed.clone())]);
+    assert_eq!(kinks_as_printed(&Subject::of::<ContactForce>()), [("f_2 = f_3 = 0".into(), executed.clone())]);
     assert_eq!(printed_as(r"f_2^2 + f_3^2 \le 0"), executed);
     assert_eq!(printed_as(r"\text{no force}"), Printed::InWords);
     let off = |condition: &str| match printed_as(condition) {
@@ -130,14 +130,14 @@ fn conditions_of_kinks_are_executed_on_them_beside_them_and_at_cases() {
     assert_eq!(off(r"f_2 > -0.001,\ f_2 < 1"), r#"`f_2 > -0.001,\ f_2 < 1` is so at {"f2":0.002,"f3":0.0}"#);
     assert_eq!(off(r"f_2 < 0.001,\ f_2 > -1"), r#"`f_2 < 0.001,\ f_2 > -1` is so at {"f2":-0.002,"f3":0.0}"#);
     assert!(off("f_2 + f_9 = 0").contains("f_9"));
-    let [(_, tie)] = &kinks_as_printed::<ReturnMap>()[..] else { panic!("there is one") };
+    let [(_, tie)] = &kinks_as_printed(&Subject::of::<ReturnMap>())[..] else { panic!("there is one") };
     assert_eq!(*tie, Printed::Executed((Subject::of::<ReturnMap>().cases)().len() + 3));
 }
 
 #[test]
 fn a_condition_must_hold_at_just_those_cases_at_which_the_kink_does() {
     let mut subject = Subject::of::<ContactForce>();
-    let off = |subject: &Subject| match as_printed(subject).swap_remove(0) {
+    let off = |subject: &Subject| match kinks_as_printed(subject).swap_remove(0) {
         (_, Printed::Off(why)) => why,
         other => panic!("{other:?}"),
     };
@@ -186,7 +186,7 @@ fn a_printed_equality_of_triads_is_of_these_as_they_are() {
 /// The differences of lengths are taken from another formula, and defined in its equation.
 #[test]
 fn a_condition_may_be_in_symbols_of_equations_that_are_referred_to() {
-    let printed = kinks_as_printed::<Eliminate2d>();
+    let printed = kinks_as_printed(&Subject::of::<Eliminate2d>());
     assert!(printed.iter().any(|(condition, _)| condition == r"\lvert d_1\rvert = \lvert d_2\rvert"));
     assert!(printed.iter().all(|(_, printed)| matches!(printed, Printed::Executed(_))), "{printed:?}");
 }
@@ -196,7 +196,7 @@ fn an_expression_is_the_number_that_it_is() {
     let subject = Subject::of::<ContactForce>();
     let setting = Setting { put: r"f_2 = 3,\ f_3 = 4".into(), ..setting(&subject, "") };
     let expression = Claims::expression("2 F_C", &setting).expect("it can be read");
-    assert_eq!(number_of::<ContactForce>(&expression), 10.0);
+    assert_eq!(number_of(&Subject::of::<ContactForce>(), &expression), 10.0);
     let sum = Claims::expression("1 + 2", &Setting::default()).expect("it can be read");
     assert_eq!(number_at_large(&sum), 3.0);
 }

@@ -1,13 +1,14 @@
 //! The error of differences as a function of their step.
 
-use super::drawing::{Axis, Drawing, power, style};
+use super::style::{Style, style};
 use crate::console::figure;
+use crate::plot::{Axis, Drawing, power, rounded};
 use jointproof::toolkit::measure::{Curve, Measurement};
 
 const WIDTH: f64 = 360.0;
 const HEIGHT: f64 = 270.0;
-const LEFT: f64 = 46.0;
-const BOTTOM: f64 = 232.0;
+const ACROSS: [f64; 2] = [46.0, WIDTH - 12.0];
+const UP: [f64; 2] = [232.0, 26.0];
 
 /// Smaller errors are drawn at this value, which is below the roundoff of `f64`.
 const FLOOR: f64 = 1e-17;
@@ -16,29 +17,31 @@ const FLOOR: f64 = 1e-17;
 pub(crate) fn curve(measurement: &Measurement) -> String {
     let curves = &measurement.curves;
     let steps = curves.iter().flat_map(|curve| curve.points().map(|(step, _)| step));
-    let x = Axis::around(steps, 1e-16, [LEFT, WIDTH - 12.0]);
+    let x = Axis::decades("step, relative to the input", steps, 1e-16);
     let errors = curves.iter().flat_map(|curve| curve.errors.iter().copied());
-    let y = Axis::around(errors.chain([FLOOR, 1.0]), FLOOR, [BOTTOM, 26.0]);
+    let y = Axis::decades("relative error of the Jacobian (median)", errors.chain([FLOOR, 1.0]), FLOOR);
 
     let title = format!("{}: error of differences over their step", measurement.formula);
-    let mut drawing = Drawing::new(WIDTH, HEIGHT, &title, &description(curves));
-    drawing.below(&x, BOTTOM, y.ends[1], "step, relative to the input", power);
-    drawing.left(&y, LEFT, x.ends[1], "relative error of the Jacobian (median)", power);
+    let mut drawing = Drawing::new([WIDTH, HEIGHT], "plot", &title, &description(curves));
+    let number = |value: f64| power(rounded(value.log10()));
+    drawing.below(&x, ACROSS, UP, number);
+    drawing.left(&y, UP, ACROSS, number);
     let closed = measurement.method("closed").and_then(|method| method.jacobian.as_ref());
     if let Some(closed) = closed {
         let error = closed.random.relative;
-        let height = y.at(error.max(FLOOR));
-        drawing.line("curve way-closed", [LEFT, height], [x.ends[1], height]);
+        let height = y.at(error.max(FLOOR), UP);
+        drawing.line("curve method-closed", [ACROSS[0], height], [ACROSS[1], height]);
         let name = if error == 0.0 { "closed form: exact" } else { "closed form" };
-        drawing.text("label", [LEFT + 4.0, height - 5.0], name);
+        drawing.text("label", [ACROSS[0] + 4.0, height - 5.0], name);
     }
     for curve in curves {
-        let at = |(step, error): (f64, f64)| [x.at(step), y.at(error.max(FLOOR))];
+        let at = |(step, error): (f64, f64)| [x.at(step, ACROSS), y.at(error.max(FLOOR), UP)];
         let points: Vec<_> = curve.points().map(at).collect();
         let id = curve.scheme.id();
-        drawing.path(&format!("curve way-difference dash-{id}"), &points);
+        drawing.path(&format!("curve method-difference dash-{id}"), &points);
         if let Some(best) = curve.best() {
-            drawing.mark(&style(id), at(best));
+            let Style { class, shape, .. } = style(id);
+            drawing.mark(class, shape, at(best));
         }
     }
     legend(&mut drawing, curves);
@@ -47,11 +50,11 @@ pub(crate) fn curve(measurement: &Measurement) -> String {
 
 fn legend(drawing: &mut Drawing, curves: &[Curve]) {
     // Below the curves, which descend from the left.
-    let (x, mut y) = (LEFT + 16.0, 150.0);
+    let (x, mut y) = (ACROSS[0] + 16.0, 150.0);
     for curve in curves {
         let style = style(curve.scheme.id());
-        drawing.line(&format!("curve way-difference dash-{}", curve.scheme.id()), [x, y], [x + 28.0, y]);
-        drawing.mark(&style, [x + 14.0, y]);
+        drawing.line(&format!("curve method-difference dash-{}", curve.scheme.id()), [x, y], [x + 28.0, y]);
+        drawing.mark(style.class, style.shape, [x + 14.0, y]);
         drawing.text("label", [x + 34.0, y + 3.5], style.name);
         y += 14.0;
     }

@@ -2,9 +2,9 @@
 //! follow light and dark mode, and every colour is accompanied by a shape or a dash.
 
 mod curve;
-mod drawing;
 mod overview;
 mod plane;
+mod style;
 
 pub(crate) use curve::curve;
 pub(crate) use overview::overview;

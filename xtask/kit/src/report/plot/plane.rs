@@ -1,14 +1,15 @@
 //! The speed/error plane of one formula.
 
-use super::drawing::{Axis, Drawing, power, style, time};
+use super::style::{style, time};
+use crate::plot::{Axis, Drawing, power, rounded};
 use crate::report::pareto::front;
 use crate::report::tables::duration;
 use jointproof::toolkit::measure::Measurement;
 
 const WIDTH: f64 = 360.0;
 const HEIGHT: f64 = 270.0;
-const LEFT: f64 = 46.0;
-const BOTTOM: f64 = 232.0;
+const ACROSS: [f64; 2] = [46.0, WIDTH - 12.0];
+const UP: [f64; 2] = [232.0, 26.0];
 
 /// Smaller values of η are drawn at this value.
 const FLOOR: f64 = 0.1;
@@ -33,20 +34,29 @@ pub(crate) fn plane(measurement: &Measurement) -> String {
         .iter()
         .filter_map(|method| point(method).map(|(time, eta)| Point { id: &method.id, time, eta }))
         .collect();
-    let x = Axis::around(points.iter().map(|point| point.time), 0.1, [LEFT, WIDTH - 12.0]);
-    let y = Axis::around(points.iter().map(|point| point.eta.min(CEILING)).chain([1.0]), FLOOR, [BOTTOM, 26.0]);
-    let places: Vec<_> = points.iter().map(|point| [x.at(point.time), y.at(point.eta.max(FLOOR))]).collect();
+    let x = Axis::decades("time for value and Jacobian", points.iter().map(|point| point.time), 0.1);
+    let y = Axis::decades(
+        "η of the Jacobian (99 % of random points)",
+        points.iter().map(|point| point.eta.min(CEILING)).chain([1.0]),
+        FLOOR,
+    );
+    let places: Vec<_> =
+        points.iter().map(|point| [x.at(point.time, ACROSS), y.at(point.eta.max(FLOOR), UP)]).collect();
     // Points drawn at the same position are equal here too.
     let ranked: Vec<_> = points.iter().map(|point| (point.time, point.eta.max(FLOOR))).collect();
     let unbeaten = front(&ranked);
 
-    let mut drawing = Drawing::new(WIDTH, HEIGHT, &title(measurement), &description(&points, &unbeaten));
-    drawing.below(&x, BOTTOM, y.ends[1], "time for value and Jacobian", time);
-    let label = |exponent| if exponent == -1 { "≤ 0.1".to_owned() } else { power(exponent) };
-    drawing.left(&y, LEFT, x.ends[1], "η of the Jacobian (99 % of random points)", label);
+    let mut drawing = Drawing::new([WIDTH, HEIGHT], "plot", &title(measurement), &description(&points, &unbeaten));
+    drawing.below(&x, ACROSS, UP, time);
+    let number = |eta: f64| match rounded(eta.log10()) {
+        -1 => "≤ 0.1".to_owned(),
+        exponent => power(exponent),
+    };
+    drawing.left(&y, UP, ACROSS, number);
     drawing.path("front", &unbeaten.iter().map(|&k| places[k]).collect::<Vec<_>>());
     for (point, &place) in points.iter().zip(&places) {
-        drawing.mark(&style(point.id), place);
+        let style = style(point.id);
+        drawing.mark(style.class, style.shape, place);
     }
     let mut taken: Vec<Box> = places.iter().map(|&[x, y]| Box { left: x - 5.0, right: x + 5.0, middle: y }).collect();
     for (point, &place) in points.iter().zip(&places) {
@@ -104,7 +114,7 @@ fn label_place(name: &str, [x, y]: [f64; 2], taken: &mut Vec<Box>) -> (&'static 
     };
     let free = |candidate: &&(&str, f64, f64)| {
         let here = covered(candidate);
-        let inside = here.left > LEFT && here.right < WIDTH && here.middle > 20.0 && here.middle < BOTTOM;
+        let inside = here.left > ACROSS[0] && here.right < WIDTH && here.middle > 20.0 && here.middle < UP[0];
         let apart = |other: &Box| {
             here.right < other.left || other.right < here.left || (here.middle - other.middle).abs() > 10.0
         };
