@@ -32,24 +32,40 @@ pub struct Chart<'a> {
 const ACROSS: [f64; 2] = [66.0, 580.0];
 const UP: [f64; 2] = [300.0, 30.0];
 
-/// Chosen by class, so that a page can change it, and part of the drawing, since it may be on no page.
-const STYLE: &str = ".chart{fill:none;stroke-linecap:round;stroke-linejoin:round;font-size:13px}\
-    .chart text{fill:currentColor}.chart .end{text-anchor:end}.chart .middle{text-anchor:middle}\
-    .chart .grid{stroke:currentColor;stroke-opacity:.18}.chart .axis{stroke:currentColor;stroke-opacity:.5}\
-    .chart .curve{stroke-width:2}.chart .first{--c:currentColor}\
-    .chart .second{--c:var(--accent,#0b57b0);stroke-dasharray:7 4}\
-    .chart .third{--c:var(--warm,#c2571a);stroke-dasharray:2 4}.chart .fourth{--c:currentColor;stroke-dasharray:10 3 2 3}\
-    .chart .curve{stroke:var(--c)}.chart .of{fill:var(--c);stroke-dasharray:none}";
+/// Attributes and no classes: a chart may be on no page.
+const ATTRIBUTES: &str =
+    " class=\"chart\" fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\" font-size=\"13\"";
+
+/// Colour and dashes, curve by curve.
+const STYLES: [(&str, &str); 4] = [
+    ("currentColor", ""),
+    ("var(--accent, #0b57b0)", "7 4"),
+    ("var(--warm, #c2571a)", "2 4"),
+    ("currentColor", "10 3 2 3"),
+];
+
+/// The attributes of an element; a curve and its name are `curve` and `label` with its number.
+fn look(kind: &str) -> String {
+    let (kind, detail) = kind.split_once(' ').unwrap_or((kind, ""));
+    let (colour, dashes) = STYLES[detail.parse().unwrap_or(0) % STYLES.len()];
+    match kind {
+        "grid" => r#"stroke="currentColor" stroke-opacity="0.18""#.to_owned(),
+        "axis" => r#"stroke="currentColor" stroke-opacity="0.5""#.to_owned(),
+        "curve" => format!(r#"stroke="{colour}" stroke-width="2" stroke-dasharray="{dashes}""#),
+        "label" => format!(r#"fill="{colour}""#),
+        _ if detail.is_empty() => r#"fill="currentColor""#.to_owned(),
+        _ => format!(r#"fill="currentColor" text-anchor="{detail}""#),
+    }
+}
 
 impl Chart<'_> {
     /// The SVG element.
     pub fn svg(&self) -> String {
-        let mut drawing = Drawing::new([600.0, 346.0], "chart", self.title, self.description);
-        drawing.style(STYLE);
+        let mut drawing = Drawing::new(([600.0, 346.0], 19.0, ATTRIBUTES), look, self.title, self.description);
         drawing.below(&self.x, ACROSS, UP, |tick| self.x.number(tick));
         drawing.left(&self.y, UP, ACROSS, |tick| self.y.number(tick));
-        for (curve, style) in self.curves.iter().zip(["first", "second", "third", "fourth"].iter().cycle()) {
-            self.curve(&mut drawing, curve, style);
+        for (k, curve) in self.curves.iter().enumerate() {
+            self.curve(&mut drawing, curve, k);
         }
         drawing.finish()
     }
@@ -59,7 +75,7 @@ impl Chart<'_> {
     }
 
     /// A point beyond the axes is left out; the line joins its neighbours.
-    fn curve(&self, drawing: &mut Drawing, curve: &Curve<'_>, style: &str) {
+    fn curve(&self, drawing: &mut Drawing, curve: &Curve<'_>, k: usize) {
         let inside = |axis: &Axis<'_>, value: f64| (-0.001..=1.001).contains(&axis.share(value));
         let points = curve.points.iter().filter_map(|&point| {
             if !(point.0.is_finite() && point.1.is_finite()) {
@@ -67,13 +83,13 @@ impl Chart<'_> {
             }
             (inside(&self.x, point.0) && inside(&self.y, point.1)).then(|| self.place(point))
         });
-        drawing.path(&format!("curve {style}"), &points.collect::<Vec<_>>());
+        drawing.path(&format!("curve {k}"), &points.collect::<Vec<_>>());
         if let Some(&point) = curve.points.get(curve.label_at) {
             let [x, y] = self.place(point);
             // To the right of the point, and below if the curve rises there, so that the curve does not cross its name.
             let next = curve.points.get(curve.label_at + 1).map_or(y, |&next| self.place(next)[1]);
             let beside = if next < y - 3.0 { 16.0 } else { -8.0 };
-            drawing.text(&format!("of {style}"), [x, y + beside], curve.name);
+            drawing.text(&format!("label {k}"), [x, y + beside], curve.name);
         }
     }
 }

@@ -1,32 +1,44 @@
-//! Lines, text and axes as SVG elements, whose look is that of their classes.
+//! Lines, text and axes as SVG elements.
 
 use super::Axis;
 use std::fmt::Write;
 
 /// A drawing in progress.
-pub(crate) struct Drawing(String);
+pub(crate) struct Drawing {
+    svg: String,
+    /// The attributes of an element of this kind.
+    look: fn(&str) -> String,
+    /// The height of a line of text.
+    line: f64,
+}
+
+/// The look of a drawing on a page, whose style sheet has rules for the kinds of elements.
+pub(crate) fn by_class(kind: &str) -> String {
+    format!("class=\"{kind}\"")
+}
 
 impl Drawing {
-    /// With its class, and a title and a description for readers who cannot see it.
-    pub(crate) fn new([width, height]: [f64; 2], class: &str, title: &str, description: &str) -> Self {
+    /// With its attributes, and a title and a description for readers who cannot see it.
+    pub(crate) fn new(
+        ([width, height], line, attributes): ([f64; 2], f64, &str),
+        look: fn(&str) -> String,
+        title: &str,
+        description: &str,
+    ) -> Self {
         let [title, description] = [title, description].map(escape);
-        Self(format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"{class}\" viewBox=\"0 0 {width} {height}\" role=\"img\">\
+        let svg = format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" role=\"img\"{attributes}>\
              <title>{title}</title><desc>{description}</desc>"
-        ))
+        );
+        Self { svg, look, line }
     }
 
-    /// A style sheet, for a drawing that is on no page.
-    pub(crate) fn style(&mut self, rules: &str) {
-        let _ = write!(self.0, "<style>{rules}</style>");
-    }
-
-    pub(crate) fn line(&mut self, class: &str, from: [f64; 2], to: [f64; 2]) {
-        self.path(class, &[from, to]);
+    pub(crate) fn line(&mut self, kind: &str, from: [f64; 2], to: [f64; 2]) {
+        self.path(kind, &[from, to]);
     }
 
     /// A line through the points; one that is not finite breaks it.
-    pub(crate) fn path(&mut self, class: &str, points: &[[f64; 2]]) {
+    pub(crate) fn path(&mut self, kind: &str, points: &[[f64; 2]]) {
         let (mut d, mut pen) = (String::new(), 'M');
         for [x, y] in points {
             if x.is_finite() && y.is_finite() {
@@ -36,16 +48,16 @@ impl Drawing {
                 pen = 'M';
             }
         }
-        let _ = write!(self.0, "<path class=\"{class}\" d=\"{d}\"/>");
+        let _ = write!(self.svg, "<path {} d=\"{d}\"/>", (self.look)(kind));
     }
 
-    pub(crate) fn text(&mut self, class: &str, [x, y]: [f64; 2], text: &str) {
-        let _ = write!(self.0, "<text class=\"{class}\" x=\"{x:.1}\" y=\"{y:.1}\">{}</text>", escape(text));
+    pub(crate) fn text(&mut self, kind: &str, [x, y]: [f64; 2], text: &str) {
+        let _ = write!(self.svg, "<text {} x=\"{x:.1}\" y=\"{y:.1}\">{}</text>", (self.look)(kind), escape(text));
     }
 
     /// An outline, relative to its centre.
-    pub(crate) fn mark(&mut self, class: &str, outline: &str, [x, y]: [f64; 2]) {
-        let _ = write!(self.0, "<path class=\"{class}\" d=\"M{x:.1} {y:.1}{outline}\"/>");
+    pub(crate) fn mark(&mut self, kind: &str, outline: &str, [x, y]: [f64; 2]) {
+        let _ = write!(self.svg, "<path {} d=\"M{x:.1} {y:.1}{outline}\"/>", (self.look)(kind));
     }
 
     /// The horizontal axis between these ends, with grid lines from `y` up to `top`.
@@ -59,10 +71,10 @@ impl Drawing {
         for &tick in &axis.ticks {
             let x = axis.at(tick, ends);
             self.line("grid", [x, y], [x, top]);
-            self.text("tick middle", [x, y + 14.0], &number(tick));
+            self.text("tick middle", [x, y + self.line], &number(tick));
         }
         self.line("axis", [ends[0], y], [ends[1], y]);
-        self.text("name end", [ends[1], y + 29.0], axis.label);
+        self.text("name end", [ends[1], y + 2.0 * self.line], axis.label);
     }
 
     /// The vertical axis between these ends, with grid lines from `x` to `right`.
@@ -83,8 +95,8 @@ impl Drawing {
     }
 
     pub(crate) fn finish(mut self) -> String {
-        self.0.push_str("</svg>");
-        self.0
+        self.svg.push_str("</svg>");
+        self.svg
     }
 }
 

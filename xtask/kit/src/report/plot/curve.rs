@@ -2,7 +2,7 @@
 
 use super::style::{Style, style};
 use crate::console::figure;
-use crate::plot::{Axis, Drawing, power, rounded};
+use crate::plot::{Axis, Drawing, by_class, power, rounded};
 use jointproof::toolkit::measure::{Curve, Measurement};
 
 const WIDTH: f64 = 360.0;
@@ -22,7 +22,7 @@ pub(crate) fn curve(measurement: &Measurement) -> String {
     let y = Axis::decades("relative error of the Jacobian (median)", errors.chain([FLOOR, 1.0]), FLOOR);
 
     let title = format!("{}: error of differences over their step", measurement.formula);
-    let mut drawing = Drawing::new([WIDTH, HEIGHT], "plot", &title, &description(curves));
+    let mut drawing = Drawing::new(([WIDTH, HEIGHT], 14.5, ""), by_class, &title, &description(curves));
     let number = |value: f64| power(rounded(value.log10()));
     drawing.below(&x, ACROSS, UP, number);
     drawing.left(&y, UP, ACROSS, number);
