@@ -28,6 +28,8 @@ pub(crate) mod nodes;
 pub mod offset;
 pub(crate) mod products;
 pub mod rotation;
+#[cfg(feature = "scene")]
+pub mod table;
 mod turn;
 mod unknowns;
 

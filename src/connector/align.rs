@@ -12,6 +12,10 @@
 mod connector;
 mod element;
 mod kinematics;
+#[cfg(feature = "scene")]
+pub(crate) mod since;
+#[cfg(feature = "scene")]
+pub(crate) mod table;
 
 pub use connector::{Align, AlignFromStart};
 pub(crate) use element::MULTIPLIERS;

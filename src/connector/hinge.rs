@@ -15,6 +15,8 @@ mod friction;
 mod kinematics;
 #[cfg(feature = "verify")]
 mod proof;
+#[cfg(feature = "scene")]
+pub(crate) mod table;
 
 pub use element::{HingeContact, HingeElement, HingeStart, HingeState};
 pub use friction::{

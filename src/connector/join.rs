@@ -12,6 +12,8 @@
 mod connector;
 mod element;
 mod kinematics;
+#[cfg(feature = "scene")]
+pub(crate) mod table;
 
 pub use connector::Join;
 pub use element::{JoinElement, JoinStart};

@@ -11,6 +11,8 @@
 
 #[cfg(feature = "verify")]
 mod proof;
+#[cfg(feature = "scene")]
+pub(crate) mod table;
 
 use crate::element::cardan::{alpha, alpha_gradient, check_alpha};
 use crate::fields;

@@ -15,6 +15,8 @@
 
 mod across;
 mod along;
+#[cfg(feature = "scene")]
+pub(crate) mod axes;
 mod basis;
 mod connector;
 mod connector_plane;
@@ -32,6 +34,8 @@ pub mod rows;
 pub mod rows_plane;
 mod slide;
 mod span;
+#[cfg(feature = "scene")]
+pub(crate) mod table;
 
 pub(crate) use across::Axis;
 pub use basis::{Basis, BasisVariation, LineDirection, TangentChanges, Tangents, TurningDirection};

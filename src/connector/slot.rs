@@ -19,6 +19,8 @@ mod element_plane;
 mod friction;
 mod kinematics;
 pub mod plane;
+#[cfg(feature = "scene")]
+pub(crate) mod table;
 
 pub use crate::element::line::Positions;
 pub use connector::{Pose, Pose2d, Slot, Slot2d};

@@ -12,6 +12,8 @@ mod contact;
 mod element;
 mod friction;
 mod kinematics;
+#[cfg(feature = "scene")]
+pub(crate) mod table;
 
 pub use connector::{Gradient, Loads, Pose, Translator};
 pub use contact::{

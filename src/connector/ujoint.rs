@@ -32,6 +32,8 @@ mod hinge;
 mod kinematics;
 mod loads;
 mod normal;
+#[cfg(feature = "scene")]
+pub(crate) mod table;
 
 pub use crate::connector::translator::{Gradient, Pose};
 pub use crate::element::cross::CrossAxes;

@@ -13,6 +13,8 @@ mod connector;
 mod element;
 mod kinematics;
 mod moments;
+#[cfg(feature = "scene")]
+pub(crate) mod table;
 
 pub use connector::Universal;
 pub use element::{UniversalElement, UniversalStart};

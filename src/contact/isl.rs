@@ -43,6 +43,8 @@ mod element;
 mod engine;
 mod interaction;
 mod state;
+#[cfg(feature = "scene")]
+pub(crate) mod table;
 mod torque_print;
 
 pub use contact::{Contact, Increment};

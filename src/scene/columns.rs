@@ -1,11 +1,11 @@
 //! Results of a scene as columns: one array per output, in a file that numpy can open.
 
-use super::evaluate::Number;
 use super::model::Scene;
 use super::npz::{Rows, Writer};
 use super::plan::Plan;
 use super::run::{Gather, Run, Stopped, array_name};
 use crate::Octuple;
+use crate::element::table::Number;
 use std::fmt;
 use std::io::{self, Seek, Write};
 

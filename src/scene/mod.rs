@@ -43,7 +43,6 @@
 //! states; a history in columns stays in its file, which is read once to check it and once by every run.
 
 mod columns;
-mod evaluate;
 mod json;
 mod kind;
 mod model;

@@ -1,11 +1,11 @@
 //! Results of a scene, collected.
 
-use super::evaluate::Number;
 use super::model::Scene;
 use super::plan::Plan;
 use super::run::{Run, Stopped};
 use super::values::Values;
 use crate::Octuple;
+use crate::element::table::Number;
 use serde::Serialize;
 use std::sync::OnceLock;
 

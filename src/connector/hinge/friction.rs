@@ -3,35 +3,36 @@
 use super::DOCUMENT;
 use crate::contact::coulomb::{Tractions, Yield};
 use crate::fields;
-use crate::formula::quantity::{CROSS_M1, Domain, F2, F3, JOIN_F1, M2, M3, MU, Quantity, Shape, Unit};
+use crate::formula::quantity::{CROSS_M1, Domain, F2, F3, JOIN_F1, M2, M3, MU, Quantity, Unit};
 use crate::formula::{Component, Fields, Finite, Formula, Given, Jacobian, Spec, ValueAndJacobian};
 use crate::number::scalar::{Scalar, abs, norm, norm_and_direction, sign};
 
-const fn scalar(latex: &'static str, unit: Unit, domain: Domain, meaning: &'static str) -> Quantity {
-    Quantity::new(latex, Shape::Scalar, unit, domain, meaning)
-}
-
 /// Radius of the pin.
-pub const RP: Quantity = scalar("R_p", Unit::L, Domain::Positive, "effective radius of the pin's cross-section");
+pub const RP: Quantity =
+    Quantity::scalar("R_p", Unit::L, Domain::Positive, "effective radius of the pin's cross-section");
 /// Arm of the axial force.
-pub const RA: Quantity = scalar(
+pub const RA: Quantity = Quantity::scalar(
     "R_a",
     Unit::L,
     Domain::NonNegative,
     "effective friction arm of the force along the pin; 0 omits this force",
 );
 /// Overlap.
-pub const LS: Quantity = scalar(
+pub const LS: Quantity = Quantity::scalar(
     "L_s",
     Unit::L,
     Domain::NonNegative,
     "length over which pin and sleeve overlap; 0 omits the bending moments",
 );
 /// Contact moment.
-pub const MC: Quantity =
-    scalar("M_C", Unit::FL, Domain::NonNegative, "contact moment of the hinge, which the connector's loads produce");
+pub const MC: Quantity = Quantity::scalar(
+    "M_C",
+    Unit::FL,
+    Domain::NonNegative,
+    "contact moment of the hinge, which the connector's loads produce",
+);
 /// Internal contact moment.
-pub const MC_INT: Quantity = scalar(
+pub const MC_INT: Quantity = Quantity::scalar(
     r"M_C^{\mathrm{int}}",
     Unit::FL,
     Domain::Real,
@@ -39,13 +40,17 @@ pub const MC_INT: Quantity = scalar(
 );
 /// Normal moment.
 pub const MN: Quantity =
-    scalar("M_N", Unit::FL, Domain::NonNegative, "normal moment that produces friction about the pin");
+    Quantity::scalar("M_N", Unit::FL, Domain::NonNegative, "normal moment that produces friction about the pin");
 /// Tangential traction, as a moment.
-pub const P_MOMENT: Quantity =
-    scalar("P", Unit::FL, Domain::NonNegative, "magnitude of the moment of the frictional tangential tractions");
+pub const P_MOMENT: Quantity = Quantity::scalar(
+    "P",
+    Unit::FL,
+    Domain::NonNegative,
+    "magnitude of the moment of the frictional tangential tractions",
+);
 /// Yield function, as a moment.
 pub const PHI_MOMENT: Quantity =
-    scalar(r"\Phi", Unit::FL, Domain::Real, "yield function of the hinge: stick below 0, slip at 0");
+    Quantity::scalar(r"\Phi", Unit::FL, Domain::Real, "yield function of the hinge: stick below 0, slip at 0");
 
 fields! {
     /// The constraint forces and moments, and the dimensions of the pin.

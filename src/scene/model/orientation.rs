@@ -1,7 +1,7 @@
 //! Triads, and their rotation.
 
+use crate::element::table::Number;
 use crate::number::scalar::norm_and_direction;
-use crate::scene::evaluate::Number;
 use nalgebra::Vector3;
 
 /// The orientation of a triad as given in the scene.

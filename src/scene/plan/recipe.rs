@@ -2,8 +2,8 @@
 
 use super::needs::{Needs, wanted};
 use super::signature::Signature;
+use crate::element::table::{Span, Step, Wiring};
 use crate::formula::Field;
-use crate::scene::evaluate::{Span, Step, Wiring};
 use crate::scene::kind::{Fallback, Kind, Origin};
 use std::fmt;
 

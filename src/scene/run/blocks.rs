@@ -1,8 +1,8 @@
 //! Elements block by block; while one block is evaluated, the next is prefetched into the cache.
 
 use super::nodes::NodeStates;
+use crate::element::table::{Column, LANES, Number};
 use crate::number::prefetch::{LINE, prefetch};
-use crate::scene::evaluate::{Column, LANES, Number};
 use crate::scene::plan::Group;
 
 /// One of the nodes of each element of a block.

@@ -2,8 +2,8 @@
 
 use super::nodes::NodeStates;
 use crate::contact::isl::{Failure, Motion, Slave, SlaveState, Tally, areas, torque, total_torque};
+use crate::element::table::Number;
 use crate::formula::error::Error;
-use crate::scene::evaluate::Number;
 use crate::scene::model::Changes;
 use crate::scene::plan::{ContactPlan, Output, WantedElement};
 use arrayvec::ArrayVec;

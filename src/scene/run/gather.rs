@@ -1,7 +1,7 @@
 //! Results of a state as rows of columns.
 
 use super::Run;
-use crate::scene::evaluate::{Number, Span};
+use crate::element::table::{Number, Span};
 use crate::scene::model::{Members, Named, SceneElement};
 use indexmap::IndexMap;
 use rayon::prelude::*;

@@ -3,7 +3,7 @@
 use super::blocks::{Blocks, End};
 use super::nodes::NodeStates;
 use super::share::task;
-use crate::scene::evaluate::{Column, Failure, LANES, Lanes, Number, Span};
+use crate::element::table::{Column, Failure, LANES, Lanes, Number, Span};
 use crate::scene::kind::Origin;
 use crate::scene::model::{Changes, Frame, Scene};
 use crate::scene::plan::{Group, Parameter, Pass};

@@ -17,10 +17,10 @@ mod states;
 pub(super) use gather::{Gather, array_name};
 pub use problem::{Culprit, Problem, Problems, Stopped, Unreadable};
 
-use super::evaluate::{Failure, Number};
 use super::model::{Frame, Scene};
 use super::plan::Plan;
 use crate::contact::isl;
+use crate::element::table::{Failure, Number};
 use arrayvec::ArrayVec;
 use contact::{ContactRun, Increment};
 use group::{GroupState, Inputs};
@@ -185,7 +185,7 @@ fn problem_of(scene: &Scene, state: usize, line: &str, failure: isl::Failure) ->
 mod tests {
     use super::blocks::End;
     use super::*;
-    use crate::scene::evaluate::{Column, LANES};
+    use crate::element::table::{Column, LANES};
     use crate::scene::npz::{PIECE, Writer};
     use std::fs::File;
 

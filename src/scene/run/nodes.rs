@@ -1,8 +1,8 @@
 //! The positions of the nodes.
 
 use super::share::shared;
+use crate::element::table::Number;
 use crate::number::prefetch::prefetch;
-use crate::scene::evaluate::Number;
 use crate::scene::kind::Origin;
 use crate::scene::model::{Axes, Changes, Frame, Orientation, Scene, exactly, global, turned};
 use crate::scene::plan::Plan;

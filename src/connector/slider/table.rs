@@ -1,12 +1,11 @@
-//! SLIDER, in space, in the plane and in the plane of radius and axis.
+//! SLIDER in scenes: in space, in the plane and in the plane of radius and axis.
 
-use super::dimension::Dimension;
-use super::table::{Kind, Origin, always};
+use super::axes::{KeptAxis, KeptAxis2d, PivotAxes, PivotAxis2d};
 use crate::connector::slider;
-use crate::scene::rules::{KeptAxis, KeptAxis2d, PivotAxes, PivotAxis2d};
+use crate::element::table::{Dimension, Kind, Origin, always};
 use Origin::{Increment, Position};
 
-pub(super) const SLIDER: Kind = Kind {
+pub(crate) const SLIDER: Kind = Kind {
     name: "slider",
     dimension: Dimension::Space,
     nodes: &["first", "last", "node"],
@@ -45,7 +44,7 @@ pub(super) const SLIDER: Kind = Kind {
 };
 
 /// The line is the formula of space: positions have a third coordinate, which is 0.
-pub(super) const SLIDER_2D: Kind = Kind {
+pub(crate) const SLIDER_2D: Kind = Kind {
     dimension: Dimension::Plane,
     formulas: &[&[
         always(&slider::Line),
@@ -61,4 +60,4 @@ pub(super) const SLIDER_2D: Kind = Kind {
 };
 
 /// The same in the plane of radius and axis.
-pub(super) const SLIDER_AXISYMMETRIC: Kind = Kind { dimension: Dimension::Axisymmetric, ..SLIDER_2D };
+pub(crate) const SLIDER_AXISYMMETRIC: Kind = Kind { dimension: Dimension::Axisymmetric, ..SLIDER_2D };

@@ -1,15 +1,16 @@
-//! UJOINT: JOIN and UNIVERSAL, with the friction of the cross.
+//! UJOINT in scenes: JOIN and UNIVERSAL, with the friction of the cross.
 
-use super::dimension::Dimension;
-use super::parts::{
-    ANGLES, APART, CROSSED, CROSSING, FOLLOWED1, FOLLOWED3, FORCE, JOINED, JOINING, KINETIC_MOMENT, MOMENT,
-};
-use super::shared::{FORCES, MOMENTS, NODES, SECOND_TRIAD, WITH_FRICTION, WITHOUT_FRICTION};
-use super::table::{Fallback, Kind, Origin, Use, When, always, renamed};
+use crate::connector::align::table::MOMENT;
+use crate::connector::join::table::{APART, JOINED, JOINING, REACTION};
+use crate::connector::universal::table::{ANGLES, CROSSED, CROSSING, FOLLOWED1, FOLLOWED3, KINETIC_MOMENT};
 use crate::connector::{ujoint, universal};
 use crate::contact::coulomb::{Response, Yield};
+use crate::contact::increments::{Accumulated, Increment, Kinetic, TURN_STICK, Traction};
+use crate::element::table::{
+    Dimension, FORCES, Fallback, Kind, MOMENTS, NODES, Origin, SECOND_TRIAD, Use, WITH_FRICTION, WITHOUT_FRICTION,
+    When, always, renamed,
+};
 use crate::formula::quantity::{CROSS_M1, CROSS_M3, Domain, PHI1, PHI3, Quantity, TWIST_M2, Unit};
-use crate::scene::rules::{Accumulated, Increment, Kinetic, TURN_STICK, Traction, scalar};
 use Fallback::{Number, Required};
 use Origin::{Before, Parameter, Zero};
 
@@ -27,32 +28,44 @@ const SLIP: [&[(&str, &str)]; 2] = [
     &[("slip", "slip3"), ("slip_before", "slip3_before"), ("slip_total", "slip3_total")],
 ];
 
-const CSM1: Quantity = scalar(
+const CSM1: Quantity = Quantity::scalar(
     r"m_1",
     Unit::FL,
     Domain::Real,
     "friction moment about e1a, positive where it resists positive ur1: on node a, its opposite on node b",
 );
-const CSM3: Quantity = scalar(
+const CSM3: Quantity = Quantity::scalar(
     r"m_3",
     Unit::FL,
     Domain::Real,
     "friction moment about e3b, positive where it resists positive ur3: on node a, its opposite on node b",
 );
-const M_TWIST: Quantity = scalar(
+const M_TWIST: Quantity = Quantity::scalar(
     r"M_{\mathrm{twist}}",
     Unit::FL,
     Domain::NonNegative,
     "magnitude of the twisting moment, the constraint moment m2",
 );
-const P1: Quantity =
-    scalar(r"P_1", Unit::FL, Domain::NonNegative, "magnitude of the moment about e1a that friction transmits");
-const P3: Quantity =
-    scalar(r"P_3", Unit::FL, Domain::NonNegative, "magnitude of the moment about e3b that friction transmits");
-const SLIP1: Quantity = scalar(r"\Delta s_1", Unit::ONE, Domain::Real, "slip about e1a in this increment, 0 in stick");
-const SLIP3: Quantity = scalar(r"\Delta s_3", Unit::ONE, Domain::Real, "slip about e3b in this increment, 0 in stick");
-const TOTAL1: Quantity = scalar(r"s_1", Unit::ONE, Domain::NonNegative, "accumulated slip about e1a, never falling");
-const TOTAL3: Quantity = scalar(r"s_3", Unit::ONE, Domain::NonNegative, "accumulated slip about e3b, never falling");
+const P1: Quantity = Quantity::scalar(
+    r"P_1",
+    Unit::FL,
+    Domain::NonNegative,
+    "magnitude of the moment about e1a that friction transmits",
+);
+const P3: Quantity = Quantity::scalar(
+    r"P_3",
+    Unit::FL,
+    Domain::NonNegative,
+    "magnitude of the moment about e3b that friction transmits",
+);
+const SLIP1: Quantity =
+    Quantity::scalar(r"\Delta s_1", Unit::ONE, Domain::Real, "slip about e1a in this increment, 0 in stick");
+const SLIP3: Quantity =
+    Quantity::scalar(r"\Delta s_3", Unit::ONE, Domain::Real, "slip about e3b in this increment, 0 in stick");
+const TOTAL1: Quantity =
+    Quantity::scalar(r"s_1", Unit::ONE, Domain::NonNegative, "accumulated slip about e1a, never falling");
+const TOTAL3: Quantity =
+    Quantity::scalar(r"s_3", Unit::ONE, Domain::NonNegative, "accumulated slip about e3b, never falling");
 
 const STOPS: &[&str] = &["theta1_min", "theta1_max", "theta3_min", "theta3_max"];
 /// One stop, which also replaces the other stop of its angle; those of the other angle are 0.
@@ -136,7 +149,7 @@ const RUBBING: &[Use] = &[
     renamed(&Accumulated, SLIP[1]),
 ];
 
-pub(super) const UJOINT: Kind = Kind {
+pub(crate) const UJOINT: Kind = Kind {
     name: "ujoint",
     dimension: Dimension::Space,
     nodes: &["a", "b"],
@@ -192,7 +205,7 @@ pub(super) const UJOINT: Kind = Kind {
         APART,
         ANGLES,
         &[("GAP1MIN", "gap1_min"), ("GAP1MAX", "gap1_max"), ("GAP3MIN", "gap3_min"), ("GAP3MAX", "gap3_max")],
-        FORCE,
+        REACTION,
         MOMENT,
         KINETIC_MOMENT,
         &[

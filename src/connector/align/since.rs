@@ -1,11 +1,20 @@
-//! The rotation of b since the start, relative to a: angles that are regular for every initial orientation of b.
+//! The rotation of b since the start, relative to a: angles that are regular for every initial orientation of b, and residuals
+//! without jumps.
 
 #![expect(clippy::inline_always, reason = "a call would write the inputs to memory, and wait for them there")]
 
-use crate::element::cardan::Triads;
+mod proof;
+
+use super::{Misalignment, Orientations, wrapped};
+use crate::contact::increments::spec;
+use crate::element::cardan::{
+    Angles, BetaAxes, BetaTwoArgument, CardanAngles, Oriented, Triads, accurate, accurate_jacobian, check_start,
+    check_turns,
+};
 use crate::fields;
+use crate::formula::error::Error;
 use crate::formula::quantity::{Domain, E1B, E2B, E3B, Quantity, Shape, Unit};
-use crate::formula::{Component, Document, Fields, Formula, Jacobian, Spec, along};
+use crate::formula::{Component, Document, Fields, Formula, Given, Jacobian, Spec, along};
 use crate::number::scalar::Scalar;
 use nalgebra::Vector3;
 
@@ -122,5 +131,65 @@ impl Formula for TurnedBack {
         };
         let of = |j: usize| Vector3::new(row(j, 0), row(j, 1), row(j, 2));
         TurnedAxes { q1: of(0), q2: of(1), q3: of(2) }
+    }
+}
+
+/// The Cardan angles with which a joint starts, with β from two arguments; rejected so close to ±90° that residuals are useless.
+#[derive(Clone, Copy, Debug)]
+pub struct Turns;
+
+impl Formula for Turns {
+    const SPEC: Spec = spec(
+        "scene.angles",
+        "Cardan angles, β from two arguments",
+        r"\beta = \operatorname{atan2}\bigl(\mathbf{e}_{1a}\cdot\mathbf{e}_{3b},\ \sqrt{(\mathbf{e}_{1a}\cdot\mathbf{e}_{1b})^2 + (\mathbf{e}_{1a}\cdot\mathbf{e}_{2b})^2}\bigr)",
+    )
+    .given(&[Given::new(r"\alpha,\ \gamma", &CardanAngles::SPEC)]);
+    type Inputs<T: Component> = Triads<T>;
+    type Outputs<T: Component> = Angles<T>;
+
+    #[inline(always)]
+    fn eval<D: Scalar>(i: &Triads<D>) -> Angles<D> {
+        accurate(i)
+    }
+    #[inline]
+    fn jacobian<D: Scalar>(i: &Triads<D>) -> Jacobian<Self, D> {
+        accurate_jacobian(i)
+    }
+    #[inline]
+    fn validate<D: Scalar>(i: &Triads<D>) -> Result<(), Error> {
+        check_turns(i)?;
+        check_start(BetaTwoArgument::eval(&BetaAxes::from(i)).beta)
+    }
+}
+
+/// ALIGN's residuals with β from two arguments, and with differences of α and γ reduced to angles from −π to π.
+#[derive(Clone, Copy, Debug)]
+pub struct Alignment;
+
+impl Formula for Alignment {
+    const SPEC: Spec = spec(
+        "scene.alignment",
+        "Residuals of ALIGN, without jumps",
+        r"u_{r1} = w(\alpha - \alpha_0),\quad u_{r2} = \beta - \beta_0,\quad u_{r3} = w(\gamma - \gamma_0),\quad w(\delta) = \begin{cases} \delta & \lvert\delta\rvert \le \pi \\ \delta - 2\pi\operatorname{sign}\delta & \text{otherwise} \end{cases}",
+    )
+    .given(&[Given::new(r"\alpha,\ \gamma", &CardanAngles::SPEC), Given::new(r"\beta", &BetaTwoArgument::SPEC)]);
+    type Inputs<T: Component> = Orientations<T>;
+    type Outputs<T: Component> = Misalignment<T>;
+
+    #[inline(always)]
+    fn eval<D: Scalar>(i: &Orientations<D>) -> Misalignment<D> {
+        let Angles { alpha, beta, gamma } = accurate(&i.triads());
+        Misalignment { ur1: wrapped(alpha - i.alpha0), ur2: beta - i.beta0, ur3: wrapped(gamma - i.gamma0) }
+    }
+
+    #[inline]
+    fn jacobian<D: Scalar>(i: &Orientations<D>) -> Jacobian<Self, D> {
+        Misalignment::since_start(accurate_jacobian(&i.triads()))
+    }
+
+    #[inline]
+    fn validate<D: Scalar>(i: &Orientations<D>) -> Result<(), Error> {
+        check_turns(&i.triads())
     }
 }

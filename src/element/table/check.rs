@@ -2,7 +2,7 @@
 //!
 //! Constants are evaluated while the library is compiled, so that a name that nothing has is an error there.
 
-use super::table::{Fallback, Kind, Origin, Use, When};
+use super::{Fallback, Kind, Origin, Use, When};
 use crate::formula::Field;
 
 /// Whether two names are equal.
@@ -136,7 +136,7 @@ const fn check_given(kind: &Kind, origin: Origin) {
 }
 
 /// Every name in the table of a kind is the name of something.
-pub(super) const fn check(kind: &Kind) {
+pub(crate) const fn check(kind: &Kind) {
     if kind.given.is_empty() {
         return; // It slides on a line: `isl` evaluates its formulas, and it has no registers.
     }

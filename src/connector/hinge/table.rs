@@ -1,47 +1,19 @@
-//! HINGE: JOIN and REVOLUTE, with the friction of the pin; and REVOLUTE by itself.
+//! HINGE in scenes: JOIN and REVOLUTE, with the friction of the pin.
 
-use super::dimension::Dimension;
-use super::parts::{APART, FOLLOWED1, FORCE, JOINED, JOINING, KINETIC_MOMENT, MOMENT};
-use super::shared::{FORCES, Given, MOMENTS, NODES, SECOND_TRIAD, WITH_FRICTION, WITHOUT_FRICTION};
-use super::slot::Outputs;
-use super::table::{Fallback, Kind, Origin, Use, When, always, renamed};
+use crate::connector::align::table::MOMENT;
+use crate::connector::join::table::{APART, JOINED, JOINING, REACTION};
+use crate::connector::revolute::table::{HELD, REVOLUTE, TURNED, TURNING};
+use crate::connector::universal::table::{FOLLOWED1, KINETIC_MOMENT};
 use crate::connector::{hinge, revolute};
 use crate::contact::coulomb::{Response, Yield};
-use crate::formula::quantity::{CROSS_M1, Domain, Quantity, Unit};
-use crate::scene::rules::{Accumulated, Follow, Increment, Kinetic, TURN_STICK, Traction, scalar};
-use Fallback::{As, Number, Required};
-use Origin::{Before, Initial, Parameter, Zero};
-
-/// What a pin is given: its orientation at the start, and how far b was rotated before.
-const HELD: &[Given] = &[
-    ("no_number", Zero),
-    ("c2", Initial("c2_now")),
-    ("c3", Initial("c3_now")),
-    ("alpha0", Initial("alpha_now")),
-    ("ur1_before", Before("ur1")),
-    ("theta1_ref", Parameter(As("alpha0"))),
-];
-/// The angle is read off from −π to π, and followed from state to state.
-const TURNING: &[Use] = &[
-    always(&revolute::Constraint),
-    renamed(&revolute::Constraint, &[("c2", "no_number"), ("c3", "no_number"), ("g2", "c2_now"), ("g3", "c3_now")]),
-    renamed(&revolute::Angle, &[("alpha", "alpha_now")]),
-    renamed(&Follow, &[("angle", "alpha_now"), ("start", "alpha0"), ("turned", "ur1_before"), ("followed", "alpha")]),
-    always(&revolute::RelativeMotion),
-    renamed(&revolute::ConstraintMoment, &[("m", "rm")]),
-];
-const TURNED: Outputs = &[("G2", "g2"), ("G3", "g3"), ("ALPHA", "alpha"), ("UR1", "ur1"), ("UR1MAT", "ur1_mat")];
-
-pub(super) const REVOLUTE: Kind = Kind {
-    name: "revolute",
-    dimension: Dimension::Space,
-    nodes: &["a", "b"],
-    given: &[NODES, SECOND_TRIAD, HELD, MOMENTS],
-    ordered: &[],
-    formulas: &[TURNING, &[renamed(&revolute::KineticMoment, &[("m", "km")])]],
-    meanings: &[("alpha", &FOLLOWED1), ("m1", &CROSS_M1)],
-    outputs: &[TURNED, MOMENT, KINETIC_MOMENT],
+use crate::contact::increments::{Accumulated, Increment, Kinetic, TURN_STICK, Traction};
+use crate::element::table::{
+    FORCES, Fallback, Kind, MOMENTS, NODES, Origin, SECOND_TRIAD, Use, WITH_FRICTION, WITHOUT_FRICTION, When, always,
+    renamed,
 };
+use crate::formula::quantity::{CROSS_M1, Domain, Quantity, Unit};
+use Fallback::{Number, Required};
+use Origin::{Before, Parameter};
 
 const STOPS: &[&str] = &["theta1_min", "theta1_max"];
 /// Both stops at once, or the one that is given, which then stands for the other too.
@@ -51,14 +23,16 @@ const STOPPING: &[Use] = &[
     renamed(&hinge::Stop, &[("theta1_min", "theta1_max"), ("gap_min", "no_gap_min")]).when(When::NotAllGiven(STOPS)),
 ];
 
-const CSM1: Quantity = scalar(
+const CSM1: Quantity = Quantity::scalar(
     r"m_1",
     Unit::FL,
     Domain::Real,
     "friction moment about e1a, positive where it resists positive ur1: on node a, its opposite on node b",
 );
-const SLIP1: Quantity = scalar(r"\Delta s_1", Unit::ONE, Domain::Real, "slip about e1a in this increment, 0 in stick");
-const TOTAL1: Quantity = scalar(r"s_1", Unit::ONE, Domain::NonNegative, "accumulated slip about e1a, never falling");
+const SLIP1: Quantity =
+    Quantity::scalar(r"\Delta s_1", Unit::ONE, Domain::Real, "slip about e1a in this increment, 0 in stick");
+const TOTAL1: Quantity =
+    Quantity::scalar(r"s_1", Unit::ONE, Domain::NonNegative, "accumulated slip about e1a, never falling");
 
 /// The moment about the pin: the load, and friction.
 const KINETIC: &[Use] = &[
@@ -78,7 +52,7 @@ const RUBBING: &[Use] = &[
     renamed(&Accumulated, &[("slip", "slip1"), ("slip_before", "slip1_before"), ("slip_total", "slip1_total")]),
 ];
 
-pub(super) const HINGE: Kind = Kind {
+pub(crate) const HINGE: Kind = Kind {
     name: "hinge",
     given: &[
         NODES,
@@ -116,7 +90,7 @@ pub(super) const HINGE: Kind = Kind {
         APART,
         TURNED,
         &[("GAP1MIN", "gap_min"), ("GAP1MAX", "gap_max")],
-        FORCE,
+        REACTION,
         MOMENT,
         KINETIC_MOMENT,
         &[

@@ -1,18 +1,20 @@
-//! TRANSLATOR: SLOT and ALIGN.
+//! TRANSLATOR in scenes: SLOT and ALIGN.
 
-use super::dimension::Dimension;
-use super::parts::{ALIGNED, ALIGNING, MOMENT, TURNED, URS1, URS2, URS3};
-use super::shared::{CSF1, FORCES, FRICTION, INITIAL, LENGTHS, MOMENTS, NODES, ORDERED_LENGTHS, SECOND_TRIAD};
-use super::slot::{ALONG, KINETIC, MOVED, MOVED_3, PLACE, PLACE_3, RUBBED, RUBBING, STOPPED};
-use super::table::{Fallback, Kind, Origin, When, always};
-use crate::connector::{slot, translator};
+use super::{BendingForce, ContactForce, RadialForce, TorqueForce};
+use crate::connector::align::table::{ALIGNED, ALIGNING, MOMENT, TURNED, URS1, URS2, URS3};
+use crate::connector::slot;
+use crate::connector::slot::table::{
+    ALONG, CSF1, FRICTION, INITIAL, KINETIC, LENGTHS, MOVED, MOVED_3, ORDERED_LENGTHS, PLACE, PLACE_3, RUBBED, RUBBING,
+    STOPPED,
+};
+use crate::element::table::{Dimension, FORCES, Fallback, Kind, MOMENTS, NODES, Origin, SECOND_TRIAD, When, always};
 use Fallback::Number;
 use Origin::Parameter;
 
 /// The levers of a TRANSLATOR's moments; if both are 0, its friction is that of the SLOT.
 const LEVERS: &[&str] = &["rr", "l"];
 
-pub(super) const TRANSLATOR: Kind = Kind {
+pub(crate) const TRANSLATOR: Kind = Kind {
     name: "translator",
     dimension: Dimension::Space,
     nodes: &["a", "b"],
@@ -33,11 +35,11 @@ pub(super) const TRANSLATOR: Kind = Kind {
         &[always(&slot::Constraint)],
         ALIGNING,
         &[
-            always(&translator::TorqueForce),
-            always(&translator::RadialForce),
-            always(&translator::BendingForce),
+            always(&TorqueForce),
+            always(&RadialForce),
+            always(&BendingForce),
             always(&slot::ContactForce).when(When::AllZero(LEVERS)),
-            always(&translator::ContactForce).when(When::NotAllZero(LEVERS)),
+            always(&ContactForce).when(When::NotAllZero(LEVERS)),
         ],
         RUBBING,
     ],

@@ -1,9 +1,24 @@
-//! The contents of a kind's table.
+//! What the tables of scenes are made of: what a kind of element is given, its formulas, and its outputs with their names.
+//!
+//! A table contains only what is not defined elsewhere. Formulas are wired by the names of their fields: an input `x` is read
+//! from the output `x` of another formula, or from a given quantity of the element with that name. The meaning of a name, its
+//! unit and its allowed values are defined by the field's [`Quantity`](crate::formula::quantity::Quantity).
 
-use super::dimension::Dimension;
+mod check;
+mod dimension;
+mod given;
+mod lanes;
+mod step;
+
+pub(crate) use check::check;
+pub use dimension::Dimension;
+pub(crate) use given::{FORCES, Given, MOMENTS, NODES, Outputs, SECOND_TRIAD, WITH_FRICTION, WITHOUT_FRICTION};
+pub(crate) use lanes::{Column, LANES, Span};
+pub use lanes::{Failure, Lanes, Wiring};
+pub use step::{Number, Step};
+
 use crate::formula::quantity::{Domain, Quantity};
 use crate::formula::{Field, Fields, Formula};
-use crate::scene::evaluate::Step;
 
 /// The source of a register's value, if no formula computes it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -76,27 +91,24 @@ pub enum When {
 #[derive(Clone, Copy)]
 pub struct Use {
     /// The formula.
-    pub(in crate::scene) step: &'static dyn Step,
+    pub(crate) step: &'static dyn Step,
     /// Its inputs.
-    pub(super) inputs: &'static [Field],
+    pub(crate) inputs: &'static [Field],
     /// Its outputs.
-    pub(super) outputs: &'static [Field],
+    pub(crate) outputs: &'static [Field],
     /// Fields that have another name here: `(field, register)`.
-    pub(super) renamed: &'static [(&'static str, &'static str)],
+    pub(crate) renamed: &'static [(&'static str, &'static str)],
     /// When it is taken.
-    pub(in crate::scene) when: When,
+    pub(crate) when: When,
 }
 
 /// A formula under its own names.
-pub(in crate::scene) const fn always<F: Formula>(step: &'static F) -> Use {
+pub(crate) const fn always<F: Formula>(step: &'static F) -> Use {
     renamed(step, &[])
 }
 
 /// A formula with some fields renamed.
-pub(in crate::scene) const fn renamed<F: Formula>(
-    step: &'static F,
-    renamed: &'static [(&'static str, &'static str)],
-) -> Use {
+pub(crate) const fn renamed<F: Formula>(step: &'static F, renamed: &'static [(&'static str, &'static str)]) -> Use {
     let (inputs, outputs) = (<F::Inputs<f64> as Fields<f64>>::FIELDS, <F::Outputs<f64> as Fields<f64>>::FIELDS);
     Use { step, inputs, outputs, renamed, when: When::Always }
 }
@@ -108,7 +120,7 @@ impl Use {
     }
 
     /// The same formula, used only under a condition.
-    pub(in crate::scene) const fn when(self, when: When) -> Self {
+    pub(crate) const fn when(self, when: When) -> Self {
         Self { when, ..self }
     }
 
@@ -166,7 +178,7 @@ impl Kind {
     }
 
     /// The sources of the registers that no formula computes.
-    pub(in crate::scene) fn origins(&self) -> impl Iterator<Item = Origin> + use<> {
+    pub(crate) fn origins(&self) -> impl Iterator<Item = Origin> + use<> {
         self.registers().map(|(_, origin)| origin)
     }
 
@@ -176,7 +188,7 @@ impl Kind {
     }
 
     /// The field of a formula that writes or reads a register.
-    pub(in crate::scene) fn field(&self, register: &str) -> Option<&'static Field> {
+    pub(crate) fn field(&self, register: &str) -> Option<&'static Field> {
         let writes = self.formulas().find_map(|formula| formula.writes(register));
         writes.or_else(|| self.formulas().find_map(|formula| formula.reads(register)))
     }
@@ -188,12 +200,12 @@ impl Kind {
     }
 
     /// The meaning of a register of this kind, in words.
-    pub(in crate::scene) fn meaning(&self, register: &str) -> &'static str {
+    pub(crate) fn meaning(&self, register: &str) -> &'static str {
         self.quantity(register).expect("a formula reads every register that is given").meaning
     }
 
     /// The allowed values of a given register of this kind.
-    pub(in crate::scene) fn domain(&self, register: &str) -> Domain {
+    pub(crate) fn domain(&self, register: &str) -> Domain {
         self.quantity(register).expect("a formula reads every register that is given").domain
     }
 
@@ -216,7 +228,7 @@ impl Kind {
     }
 
     /// One bit per parameter, set if the choice of a formula depends on it.
-    pub(in crate::scene) fn switches(&self) -> u64 {
+    pub(crate) fn switches(&self) -> u64 {
         let decides = |name: &str| {
             self.formulas().any(|formula| match formula.when {
                 When::Always | When::AllGiven(_) | When::NotAllGiven(_) => false,
@@ -240,38 +252,5 @@ impl Kind {
 impl std::fmt::Debug for Kind {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "{} ({})", self.name, self.dimension.name())
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// The parameters of a kind whose bits are set.
-    fn switches(kind: &str, dimension: Dimension) -> Vec<&'static str> {
-        let kind = Kind::find(kind, dimension).unwrap();
-        let switches = kind.switches();
-        assert!(switches.checked_shr(u32::try_from(kind.parameters().count()).unwrap()) == Some(0), "no other bit");
-        let bits = kind.parameters().enumerate().filter(|(bit, _)| switches >> bit & 1 == 1);
-        bits.map(|(_, (name, _))| name).collect()
-    }
-
-    #[test]
-    fn a_parameter_has_a_bit_where_it_decides_about_a_formula_by_being_zero() {
-        use Dimension::{Axisymmetric, Plane, Space};
-        for (kind, dimension, expected) in [
-            ("slot", Space, &["mu"][..]),
-            ("slot", Plane, &["mu"]),
-            ("align", Space, &[]),
-            ("join", Space, &[]),
-            ("universal", Space, &[]),
-            ("slider", Space, &[]),
-            ("isl21a", Axisymmetric, &[]),
-        ] {
-            assert_eq!(switches(kind, dimension), expected, "{kind}");
-        }
-        let mut of_translator = switches("translator", Space);
-        of_translator.sort_unstable();
-        assert_eq!(of_translator, ["l", "mu", "rr"]);
     }
 }

@@ -3,9 +3,8 @@
 //! The formulas are listed here for the quantities they compute; which of them a node needs depends on its position on the line,
 //! so that they are evaluated by [`isl`](crate::contact::isl), not in the plan's registers.
 
-use super::dimension::Dimension;
-use super::table::{Kind, Use, always, renamed};
 use crate::contact::{coulomb, interaction, slide_line};
+use crate::element::table::{Dimension, Kind, Use, always, renamed};
 use crate::formula::quantity::{Domain, NORMAL, Quantity, Shape, TANGENT, Unit};
 
 const STRESS: Unit = Unit::new(-2, 1, 0);
@@ -62,7 +61,7 @@ const CONTACT: &[Use] = &[
     renamed(&coulomb::Response, &[("f", "s12")]),
 ];
 
-pub(super) const ISL21A: Kind = Kind {
+pub(crate) const ISL21A: Kind = Kind {
     name: "isl21a",
     dimension: Dimension::Axisymmetric,
     nodes: &["1", "2"],
@@ -97,7 +96,7 @@ pub(super) const ISL21A: Kind = Kind {
     ]],
 };
 
-pub(super) const ISL22A: Kind = Kind {
+pub(crate) const ISL22A: Kind = Kind {
     name: "isl22a",
     nodes: &["1", "2", "3"],
     formulas: &[

@@ -9,42 +9,42 @@ use std::ops::Range;
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Wiring {
     /// A register per input component.
-    pub(in crate::scene) inputs: Vec<u16>,
+    pub(crate) inputs: Vec<u16>,
     /// A register per output component.
-    pub(in crate::scene) outputs: Vec<u16>,
+    pub(crate) outputs: Vec<u16>,
 }
 
 /// A range of consecutive registers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::scene) struct Span {
-    pub(in crate::scene) at: usize,
-    pub(in crate::scene) len: usize,
+pub(crate) struct Span {
+    pub(crate) at: usize,
+    pub(crate) len: usize,
 }
 
 impl Span {
     #[inline]
-    pub(in crate::scene) fn range(self) -> Range<usize> {
+    pub(crate) fn range(self) -> Range<usize> {
         self.at..self.at + self.len
     }
 }
 
 /// The number of elements that are evaluated together: few enough for their registers to stay in the first-level cache.
-pub(in crate::scene) const LANES: usize = 64;
+pub(crate) const LANES: usize = 64;
 
 /// The values of one register for all elements of a block.
-pub(in crate::scene) type Column<T> = [T; LANES];
+pub(crate) type Column<T> = [T; LANES];
 
 /// A block of elements: a column per register. Lanes beyond the last element are not modified.
 #[derive(Debug)]
 pub struct Lanes<'r, T> {
     /// The registers that persist from state to state.
-    pub(in crate::scene) lasting: &'r mut [Column<T>],
+    pub(crate) lasting: &'r mut [Column<T>],
     /// The registers after them, which all blocks of a task use in turn.
-    pub(in crate::scene) passing: &'r mut [Column<T>],
+    pub(crate) passing: &'r mut [Column<T>],
     /// The index of the first element in its group.
-    pub(in crate::scene) first: usize,
+    pub(crate) first: usize,
     /// The number of lanes that hold an element.
-    pub(in crate::scene) count: usize,
+    pub(crate) count: usize,
 }
 
 impl<T: Scalar> Lanes<'_, T> {
@@ -57,13 +57,13 @@ impl<T: Scalar> Lanes<'_, T> {
     }
 
     /// Copies persistent registers to temporary ones.
-    pub(in crate::scene) fn copy(&mut self, lasting: Span, passing: Span) {
+    pub(crate) fn copy(&mut self, lasting: Span, passing: Span) {
         let at = passing.at - self.lasting.len();
         self.passing[at..at + passing.len].copy_from_slice(&self.lasting[lasting.range()]);
     }
 
     /// Fills the registers of a vector, or of its part in the plane, with the same value for all lanes.
-    pub(in crate::scene) fn spread(&mut self, span: Span, vector: Vector3<T>) {
+    pub(crate) fn spread(&mut self, span: Span, vector: Vector3<T>) {
         for (register, &component) in self.columns(span).iter_mut().zip(&vector) {
             *register = [component; LANES];
         }
@@ -71,7 +71,7 @@ impl<T: Scalar> Lanes<'_, T> {
 
     /// Fills the registers with a vector of each lane's node.
     #[inline]
-    pub(in crate::scene) fn fill(&mut self, span: Span, nodes: &Column<u32>, vector: impl Fn(u32) -> Vector3<T>) {
+    pub(crate) fn fill(&mut self, span: Span, nodes: &Column<u32>, vector: impl Fn(u32) -> Vector3<T>) {
         let count = self.count.min(LANES);
         match self.columns(span) {
             [x, y, z] => {
