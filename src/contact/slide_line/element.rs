@@ -19,10 +19,18 @@
 #![expect(clippy::inline_always, reason = "a call would write the results to memory, and wait for them there")]
 
 mod chain;
+mod fields;
 pub mod forces;
-pub mod newton;
+mod ring;
 pub mod rows;
+mod segment;
 pub mod stiffness;
+
+pub use fields::{
+    ExponentialLaw, Isl21aNodes, Isl21aState, Isl22aNodes, Isl22aState, IslContact, LinearLaw, PressureLaw,
+};
+pub use ring::{Isl, Isl21aElement, Isl22aElement};
+pub use segment::{Curved, Straight};
 
 use crate::contact::slide_line::{Sides, length_and_tangent, shape};
 use crate::number::scalar::Scalar;

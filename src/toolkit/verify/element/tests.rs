@@ -8,6 +8,8 @@ use crate::connector::slot::{SlotElement, SlotElement2d};
 use crate::connector::translator::TranslatorElement;
 use crate::connector::ujoint::UJointElement;
 use crate::connector::universal::UniversalElement;
+use crate::contact::interaction::{PressureExponential, PressureLinear};
+use crate::contact::slide_line::element::{Isl21aElement, Isl22aElement};
 use crate::formula::element::Parameters;
 use crate::formula::element::{Contribution, Element};
 use crate::formula::error::Error;
@@ -44,6 +46,8 @@ fn every_element_passes() {
         audit_element::<UJointElement, 4, 12>(&FEW),
         audit_element::<SliderElement, 2, 9>(&FEW),
         audit_element::<SliderElement2d, 1, 6>(&FEW),
+        audit_element::<Isl21aElement<PressureLinear>, 1, 12>(&FEW),
+        audit_element::<Isl22aElement<PressureExponential>, 1, 24>(&FEW),
     ] {
         wrong.extend(failed(&audit).into_iter().map(|claim| format!("{}: {claim}", audit.element)));
     }
