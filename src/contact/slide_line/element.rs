@@ -22,9 +22,7 @@ mod chain;
 mod fields;
 pub mod forces;
 mod ring;
-pub mod rows;
 mod segment;
-pub mod stiffness;
 
 pub use fields::{
     ExponentialLaw, Isl21aNodes, Isl21aState, Isl22aNodes, Isl22aState, IslContact, LinearLaw, PressureLaw,
@@ -32,7 +30,7 @@ pub use fields::{
 pub use ring::{Isl, Isl21aElement, Isl22aElement};
 pub use segment::{Curved, Straight};
 
-use crate::contact::slide_line::{Sides, length_and_tangent, shape};
+use crate::contact::slide_line::{Sides, left, length_and_tangent, shape};
 use crate::number::scalar::Scalar;
 use nalgebra::Vector2;
 
@@ -43,33 +41,25 @@ struct Spot<D, const N: usize> {
     n: Vector2<D>,
     /// Nᵢ.
     weights: [D; N],
-    /// Nᵢ′/|X′|: the derivatives with respect to the length of the line.
-    rates: [D; N],
-    /// The curvature n·X″/|X′|².
-    curvature: D,
+}
+
+impl<D: Scalar, const N: usize> Spot<D, N> {
+    #[inline(always)]
+    fn new(along: Vector2<D>, weights: [D; N]) -> Self {
+        let (_, t) = length_and_tangent(along);
+        Self { t, n: left(t), weights }
+    }
 }
 
 impl<D: Scalar> Spot<D, 2> {
     fn linear([x1, x2]: [Vector2<D>; 2], g: D) -> Self {
-        let (length, t) = length_and_tangent(x2 - x1);
-        let per_length = length.recip();
-        let (weights, rates) = (shape::linear(g), [-per_length, per_length]);
-        Self { t, n: Vector2::new(-t.y, t.x), weights, rates, curvature: D::zero() }
+        Self::new(x2 - x1, shape::linear(g))
     }
 }
 
 impl<D: Scalar> Spot<D, 3> {
     #[inline(always)]
     fn parabolic(nodes: [Vector2<D>; 3], g: D) -> Self {
-        let sides = Sides::new(nodes);
-        let (speed, t) = length_and_tangent(sides.rate(g));
-        let per_speed = speed.recip();
-        Self {
-            t,
-            n: Vector2::new(-t.y, t.x),
-            weights: shape::parabolic(g),
-            rates: shape::parabolic_rates(g).map(|rate| rate * per_speed),
-            curvature: sides.turn(speed) * per_speed * per_speed,
-        }
+        Self::new(Sides::new(nodes).rate(g), shape::parabolic(g))
     }
 }

@@ -162,11 +162,13 @@ pub(crate) fn of(element: &ElementSubject) -> ElementFile {
     }
 }
 
-/// All cases of one of `forms` forms; invalid cases are in the file only once, with the most complete form.
+/// All cases of one of `forms` forms; invalid cases are in the file only once, with the most complete form. On a kink the
+/// matrix is that of one side, which another program need not take: such cases are in no file.
 fn of_form<'a>(form: &'a Form, layout: &'a Layout, forms: usize) -> impl Iterator<Item = ElementRecord> + 'a {
     let is_last = form.rubs || forms == 1;
     let all = cases_with(&form.subject, RANDOM);
-    all.into_iter().filter(move |case| is_last || case.flag != Flag::Invalid).map(|case| record(form, layout, &case))
+    let is_shown = move |case: &Case<_>| case.flag != Flag::Kink && (is_last || case.flag != Flag::Invalid);
+    all.into_iter().filter(is_shown).map(|case| record(form, layout, &case))
 }
 
 fn record(form: &Form, layout: &Layout, case: &Case<Vec<f64>>) -> ElementRecord {
