@@ -352,14 +352,14 @@ def check_case(job: tuple[dict, dict]) -> tuple[int, list[str]]:
     right, wrong = 0, []
     for part, written in case["out"].items():
         exact = found[part]
-        scales = case["out_scale"][part]
-        named = [(f"{part}.{k}", written[k], exact[k], scales[k]) for k in written]
+        lists = (written, exact, case["out_scale"][part])
+        fields = {f"after.{name}": [x[name] for x in lists] for name in written} if part == "after" else {part: lists}
         pairs = [
-            (name + path, x, y, scale)
-            for name, *lists in (named if part == "after" else [(part, written, exact, scales)])
-            for (path, x), (_, y), (_, scale) in zip(*map(flatten, lists), strict=True)
+            (name + path, x, y, size)
+            for name, lists in fields.items()
+            for (path, x), (_, y), (_, size) in zip(*map(flatten, lists), strict=True)
         ]
-        largest = max((mpf(scale) for *_, scale in pairs), default=mpf(0))
+        largest = max((mpf(size) for *_, size in pairs), default=mpf(0))
         for name, golden, true, _ in pairs:
             if abs(true) <= NOTHING * largest:
                 true = mpf(0)

@@ -1,15 +1,15 @@
-//! Contact along a slide line as an element: a slave point, and the two or three nodes of the segment that it touches.
+//! Contact along a slide line as an element: slave nodes, each with the two or three nodes of the segment that it touches.
 //!
 //! | | |
 //! |---|---|
-//! | unknowns | the translations of the slave point and of the nodes of the segment, in the plane (r, z) |
+//! | unknowns | the translations of the slave nodes and of the nodes of their segments, in the plane (r, z) |
 //! | position | the closest point of the segment, g, which [`closest_*`](crate::contact::slide_line) finds |
-//! | rows | of the separation E11: n and −Nᵢ n; of the slip: t and −Nᵢ t |
+//! | work | of the pressure on the separation E11: n on the slave point, −Nᵢ n on the nodes; of the shear on the slip: t and −Nᵢ t |
 //! | zero position | E11 = 0: the slave point on the segment |
 //! | signs | those of [`isl`](crate::contact::isl): S11 pushes the slave point along n, S12 along −t, which is against positive slip |
 //!
-//! At the closest point the separation is stationary with respect to g, so its row is exact although g is held constant. The row
-//! of the slip is the velocity relative to the material at the point g, which is held constant, too. It is not the derivative of
+//! At the closest point the separation is stationary with respect to g, so its variation is exact although g is held constant. The
+//! shear works on the velocity relative to the material at the point g, which is held constant, too. It is not the derivative of
 //! the distance that the closest point travels along the line, which ends at g but begins elsewhere; a consistent tangent needs
 //! both.
 //!

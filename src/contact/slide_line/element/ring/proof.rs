@@ -64,7 +64,7 @@ impl Posed<2, 8, 12> for Straight {
             (Flag::Hard, "wall", "the segment is parallel to the axis", [at(2.125, 0.5), at(2.25, 1.0)], {
                 [[at(2.0, 2.0), at(2.0, 0.0)]; 2]
             }),
-            (touching, "touching", "no overclosure", ring(0.0), [washer; 2]),
+            (touching, "touching", "no overclosure", ring(0.5), [washer.map(|x| x + at(0.0, 0.5)); 2]),
             (Flag::Hard, "barely", "an overclosure of 2⁻³⁰", ring(-f64::EPSILON * 4_194_304.0), [washer; 2]),
             (Flag::Hard, "open", "nothing presses with the linear law", ring(0.25), [washer; 2]),
             (
@@ -113,7 +113,7 @@ impl Posed<3, 12, 24> for Curved {
                 chain,
             ),
             (Flag::Hard, "bowl", "a hollow line", [at(1.5, 0.25), at(2.125, 0.125), at(2.5, 0.375)], [bowl; 3]),
-            (touching, "touching", "no overclosure", ring(0.0), [washer; 3]),
+            (touching, "touching", "no overclosure", ring(0.5), [washer.map(|x| x + at(0.0, 0.5)); 3]),
             (Flag::Hard, "barely", "an overclosure of 2⁻³⁰", ring(-f64::EPSILON * 4_194_304.0), [washer; 3]),
             (Flag::Hard, "open", "nothing presses with the linear law", ring(0.25), [washer; 3]),
             (
