@@ -76,7 +76,8 @@ fn past_either_end_of_a_parabolic_segment_nothing_is_transmitted() {
 fn what_is_not_valid_is_refused() {
     let (flat, bent) = (narrow(at(2.0, -0.125)), broad(at(2.0, -0.125)));
     let refused = |k, contact, nodes: Isl21aNodes<f64>| {
-        let ring = Parameters { start: LinearLaw { k }, contact: Some(contact), ..NARROW };
+        let mut ring = NARROW;
+        (ring.start.k, ring.contact) = (k, Some(contact));
         ring.newton(&nodes, &NONE, &TWO).unwrap_err().to_string()
     };
     assert_eq!(refused(0.0, LINE, flat), "k is 0.0; allowed is a finite number > 0");

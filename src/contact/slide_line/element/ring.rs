@@ -64,6 +64,11 @@ pub type Isl21aElement<P> = Isl<Straight, P, 2, 8>;
 /// ISL22A over parabolic segments as an element: twenty-four degrees of freedom.
 pub type Isl22aElement<P> = Isl<Curved, P, 3, 12>;
 
+/// Which degree of freedom of the element is the k-th of those of all slave nodes and of the segment under this one.
+fn degree<const N: usize>(slave: usize, k: usize) -> usize {
+    if k < 2 * N { k } else { k + 2 * N * slave }
+}
+
 impl<S, P, const N: usize, const L: usize, const K: usize> Element<1, K> for Isl<S, P, N, L>
 where
     S: Shape<N, L, K>,
@@ -75,8 +80,8 @@ where
         Document::SLIDE_LINE
             .ours("Element output", "the section names pressure and shear stress, and prints no forces"),
     )
-    .eta_of_value(S::ETA)
-    .normwise_of_value(S::ETA);
+    .eta_of_value(4.0)
+    .normwise_of_value(4.0);
     const UNKNOWNS: &'static [Field] = S::UNKNOWNS;
     const FORCES: &'static [Field] = S::FORCES;
     const RESIDUALS: &'static [Field] = &[Field::new("torque", &TORQUE)];
@@ -137,13 +142,12 @@ where
             let s11 = Term::new(s11, separation.slope * s11_by_e11);
             let s12 = Term::new(s12, separation.slope * s12_by_e11 + slip.slope * s12_by_slip);
             let (on_slave, on_line) = S::forces(segment, g, [areas[slave], s11, s12]);
-            // The slave nodes come first, then the nodes of one segment after the other.
-            let of_segment = 2 * N * slave;
-            let rows = (2 * slave..).zip(&on_slave).take(2);
-            for (row, force) in rows.chain((2 * N + of_segment..).zip(on_line.iter().flatten())) {
+            let on_slave = (2 * slave..).zip(&on_slave);
+            for (k, force) in on_slave.chain((2 * N..).zip(on_line.iter().flatten())) {
+                let row = degree::<N>(slave, k);
                 found.forces[row] += force.value;
                 for (k, &by) in force.slope.iter().enumerate() {
-                    found.stiffness[(row, if k < 2 * N { k } else { k + of_segment })] += by;
+                    found.stiffness[(row, degree::<N>(slave, k))] += by;
                 }
             }
             s11
@@ -155,7 +159,7 @@ where
         }
         for (slave, (s11, by_pressure)) in pressures.into_iter().zip(by_pressures).enumerate() {
             for (k, &by) in s11.slope.iter().enumerate() {
-                found.rows[if k < 2 * N { k } else { k + 2 * N * slave }] += by * by_pressure;
+                found.rows[degree::<N>(slave, k)] += by * by_pressure;
             }
         }
         let mut state = after.as_ref().iter().copied();

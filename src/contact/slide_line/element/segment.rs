@@ -10,7 +10,7 @@ use crate::contact::slide_line::{
 };
 use crate::formula::error::Error;
 use crate::formula::{Component, Field, Fields, Formula};
-use crate::number::scalar::Scalar;
+use crate::number::scalar::{Scalar, abs};
 use nalgebra::Vector2;
 use std::fmt::Debug;
 
@@ -35,8 +35,6 @@ pub struct Points<P, const N: usize> {
 pub trait Shape<const N: usize, const L: usize, const K: usize>:
     Copy + Debug + PartialEq + Send + Sync + 'static
 {
-    /// The bound of η of every number of the element.
-    const ETA: f64;
     /// The translations of all nodes, and the forces on them.
     const UNKNOWNS: &'static [Field];
     const FORCES: &'static [Field];
@@ -81,7 +79,6 @@ pub trait Shape<const N: usize, const L: usize, const K: usize>:
 pub struct Straight;
 
 impl Shape<2, 8, 12> for Straight {
-    const ETA: f64 = 4.0;
     const UNKNOWNS: &'static [Field] = Isl21aNodes::<f64>::UNKNOWNS;
     const FORCES: &'static [Field] = Isl21aNodes::<f64>::FORCES;
     type Nodes<T: Component> = Isl21aNodes<T>;
@@ -93,7 +90,7 @@ impl Shape<2, 8, 12> for Straight {
     }
 
     fn is_inside<D: Scalar>(_: Vector2<D>, _: [Vector2<D>; 2], g: D) -> bool {
-        g >= -1.0 && g <= 1.0
+        abs(g) <= 1.0
     }
 
     /// Uses positions in place of displacements: they are measured from the current position of the previous point.
@@ -131,7 +128,6 @@ impl Shape<2, 8, 12> for Straight {
 pub struct Curved;
 
 impl Shape<3, 12, 24> for Curved {
-    const ETA: f64 = 4.0;
     const UNKNOWNS: &'static [Field] = Isl22aNodes::<f64>::UNKNOWNS;
     const FORCES: &'static [Field] = Isl22aNodes::<f64>::FORCES;
     type Nodes<T: Component> = Isl22aNodes<T>;
