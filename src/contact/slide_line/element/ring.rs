@@ -17,7 +17,7 @@ mod proof;
 
 use super::chain::{Term, components};
 use super::fields::{IslContact, PressureLaw};
-use super::segment::{Curved, Points, Shape, Straight, Touched};
+use super::segment::{Curved, Points, Segment, Straight, Touched};
 use crate::contact::coulomb::Sliding;
 use crate::contact::slide_line::{check_distinct, check_radii};
 use crate::formula::element::{Contribution, Element, Parameters};
@@ -28,7 +28,7 @@ use crate::number::scalar::{Scalar, choice};
 use nalgebra::{SMatrix, SVector, Vector2};
 use std::marker::PhantomData;
 
-/// An element of N slave nodes over segments of the shape S, with the pressure law P; L is the number of degrees of freedom on
+/// An element of N slave nodes over segments S, with the pressure law P; L is the number of degrees of freedom on
 /// which the forces of one slave node depend.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Isl<S, P, const N: usize, const L: usize>(PhantomData<(S, P)>);
@@ -71,7 +71,7 @@ fn degree<const N: usize>(slave: usize, k: usize) -> usize {
 
 impl<S, P, const N: usize, const L: usize, const K: usize> Element<1, K> for Isl<S, P, N, L>
 where
-    S: Shape<N, L, K>,
+    S: Segment<N, L, K>,
     P: PressureLaw,
 {
     const SPEC: Spec = Spec::new(

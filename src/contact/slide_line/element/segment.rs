@@ -32,7 +32,7 @@ pub struct Points<P, const N: usize> {
 
 /// A segment of N nodes, and the element that has as many slave nodes and K degrees of freedom. What happens at one slave node
 /// depends on L of them: on the translations of all slave nodes, and of the nodes of its segment.
-pub trait Shape<const N: usize, const L: usize, const K: usize>:
+pub trait Segment<const N: usize, const L: usize, const K: usize>:
     Copy + Debug + PartialEq + Send + Sync + 'static
 {
     /// The translations of all nodes, and the forces on them.
@@ -78,7 +78,7 @@ pub trait Shape<const N: usize, const L: usize, const K: usize>:
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Straight;
 
-impl Shape<2, 8, 12> for Straight {
+impl Segment<2, 8, 12> for Straight {
     const UNKNOWNS: &'static [Field] = Isl21aNodes::<f64>::UNKNOWNS;
     const FORCES: &'static [Field] = Isl21aNodes::<f64>::FORCES;
     type Nodes<T: Component> = Isl21aNodes<T>;
@@ -127,7 +127,7 @@ impl Shape<2, 8, 12> for Straight {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Curved;
 
-impl Shape<3, 12, 24> for Curved {
+impl Segment<3, 12, 24> for Curved {
     const UNKNOWNS: &'static [Field] = Isl22aNodes::<f64>::UNKNOWNS;
     const FORCES: &'static [Field] = Isl22aNodes::<f64>::FORCES;
     type Nodes<T: Component> = Isl22aNodes<T>;

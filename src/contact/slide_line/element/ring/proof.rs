@@ -1,6 +1,6 @@
 //! Evidence for the elements of the parent module: poses, the virtual work of pressure and shear, friction.
 
-use super::{Isl, IslContact, Points, Shape};
+use super::{Isl, IslContact, Points, Segment};
 use crate::contact::coulomb::{Tractions, Yield};
 use crate::contact::interaction::{PressureExponential, PressureLinear};
 use crate::contact::slide_line::closest::evidence::slave_point;
@@ -35,7 +35,7 @@ impl Law for PressureExponential {
 type Pose<const N: usize> = (Flag, &'static str, &'static str, [Vector2<f64>; N], [[Vector2<f64>; N]; N]);
 
 /// A segment with its poses.
-trait Posed<const N: usize, const L: usize, const K: usize>: Shape<N, L, K> {
+trait Posed<const N: usize, const L: usize, const K: usize>: Segment<N, L, K> {
     fn poses(touching: Flag) -> Vec<Pose<N>>;
     fn point<D: Scalar>(segment: [Vector2<D>; N], g: D) -> CurvePoint<D>;
 }
@@ -55,7 +55,7 @@ impl Posed<2, 8, 12> for Straight {
             (
                 Flag::Hand,
                 "washer",
-                "pressed by 1/8 onto a flat washer, dragged along by 1/4",
+                "pressed by 1/8 onto a flat washer; the first node was dragged along by 1/4",
                 ring(-0.125),
                 [washer; 2],
             ),
@@ -100,7 +100,7 @@ impl Posed<3, 12, 24> for Curved {
             (
                 Flag::Hand,
                 "washer",
-                "pressed by 1/8 onto a flat washer, dragged along by 1/4",
+                "pressed by 1/8 onto a flat washer; the first node was dragged along by 1/4",
                 ring(-0.125),
                 [washer; 3],
             ),
@@ -156,7 +156,7 @@ fn pressing<S, P, D: Scalar, const N: usize, const L: usize, const K: usize>(
     step: &Step<Isl<S, P, N, L>, D, 1, K>,
 ) -> Vec<Slave<D, N>>
 where
-    S: Shape<N, L, K>,
+    S: Segment<N, L, K>,
     P: PressureLaw,
 {
     let (Points { slaves, segments }, before) = (S::varied(&step.nodes), step.before.components());
