@@ -5,6 +5,8 @@ use super::formulas::AnyFormula;
 use crate::connector::slider::{SliderElement, SliderElement2d};
 use crate::connector::slot::{SlotElement, SlotElement2d};
 use crate::connector::{align, hinge, join, revolute, slider, slot, translator, ujoint, universal};
+use crate::contact::interaction::{PressureExponential, PressureLinear};
+use crate::contact::slide_line::element::{Isl21aElement, Isl22aElement};
 use crate::contact::{coulomb, interaction, slide_line};
 use crate::element::{self, cardan};
 
@@ -87,12 +89,8 @@ pub static CATALOG: &[&dyn AnyFormula] = &[
     &slider::rows_plane::Rows,
     &slider::rows_plane::Forces,
     &slider::rows_plane::GeometricStiffness,
-    &slide_line::element::rows::Linear,
-    &slide_line::element::rows::Parabolic,
     &slide_line::element::forces::Linear,
     &slide_line::element::forces::Parabolic,
-    &slide_line::element::stiffness::Linear,
-    &slide_line::element::stiffness::Parabolic,
     &element::offset::Arm,
     &element::rotation::RotationVector,
     &element::rotation::EulerParameters,
@@ -143,4 +141,8 @@ pub static ELEMENTS: &[&dyn AnyElement] = &[
     &Erased::<hinge::HingeElement, 5, 12>(hinge::HingeElement),
     &Erased::<SliderElement, 2, 9>(SliderElement),
     &Erased::<SliderElement2d, 1, 6>(SliderElement2d),
+    &Erased::<Isl21aElement<PressureLinear>, 1, 12>(Isl21aElement::ELEMENT),
+    &Erased::<Isl21aElement<PressureExponential>, 1, 12>(Isl21aElement::ELEMENT),
+    &Erased::<Isl22aElement<PressureLinear>, 1, 24>(Isl22aElement::ELEMENT),
+    &Erased::<Isl22aElement<PressureExponential>, 1, 24>(Isl22aElement::ELEMENT),
 ];

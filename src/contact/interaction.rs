@@ -30,7 +30,7 @@ fields! {
 }
 
 /// Linear pressure–overclosure law: p = k h for h > 0, else 0.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PressureLinear;
 
 impl Formula for PressureLinear {
@@ -61,7 +61,7 @@ fields! {
 }
 
 /// Exponential pressure–overclosure law: p = p0/(e−1) · s (eˢ − 1) with s = h/c0 + 1, for s > 0, else 0.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PressureExponential;
 
 impl PressureExponential {

@@ -1,9 +1,12 @@
-//! The definition of an element: what a connector with multipliers adds to a step of Newton's method.
+//! The definition of an element: what a connector or a contact adds to a step of Newton's method.
 //!
 //! It is no [`Formula`](super::Formula): it has hundreds of results, which are checked for consistency with each
 //! other. Rows are the derivative of the residuals, forces are rowsᵀ λ and friction, and the matrix is the derivative
 //! of the forces. Nodes, multipliers, parameters and state are scalars of one type, so that derivatives with respect
 //! to all of them are available and the element can be recorded as a graph.
+//!
+//! An element may have no multipliers: then its forces follow from the positions of its nodes alone, as those of a
+//! contact follow from its pressure law, and it holds no condition.
 
 use super::checked::check_fields;
 use super::finite::bits_unless_finite;
@@ -13,7 +16,7 @@ use crate::number::scalar::Scalar;
 use nalgebra::{SMatrix, SVector};
 use std::marker::PhantomData;
 
-/// A connector as an element with `M` multipliers and `DOFS` degrees of freedom. The evidence for it is in its
+/// An element with `M` residuals and `DOFS` degrees of freedom. The evidence for it is in its
 /// [`ProvedElement`](super::proof::ProvedElement).
 ///
 /// ```
@@ -41,13 +44,17 @@ pub trait Element<const M: usize, const DOFS: usize = 12>:
     const UNKNOWNS: &'static [Field];
     /// The forces and moments on the degrees of freedom, in the same order.
     const FORCES: &'static [Field];
-    /// The residuals in order.
+    /// The residuals in order; without multipliers, the results that it reports with their derivatives.
     const RESIDUALS: &'static [Field];
-    /// The multipliers of the residuals, in the same order.
+    /// The multipliers of the residuals, in the same order; empty if it has none.
+    ///
+    /// Without them, multipliers are 0 wherever they appear, they are no inputs, and the derivative with respect to
+    /// them is no result.
     const MULTIPLIERS: &'static [Field];
     /// Positions and orientations of its nodes.
     type Nodes<T: Component>: Fields<T>;
-    /// Measurements in the initial configuration.
+    /// What it needs with and without friction: measurements in the initial configuration, or the parameters of a
+    /// pressure law.
     type Start<T: Component>: Fields<T>;
     /// Parameters of its friction; [`Nothing`] if it has none.
     type Contact<T: Component>: Fields<T>;
@@ -77,7 +84,7 @@ pub trait Element<const M: usize, const DOFS: usize = 12>:
 /// The parameters of an element.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parameters<E: Element<M, DOFS>, D: Component, const M: usize, const DOFS: usize = 12> {
-    /// Measurements in the initial configuration.
+    /// What the element needs with and without friction.
     pub start: E::Start<D>,
     /// Parameters of friction, if there is any.
     pub contact: Option<E::Contact<D>>,
@@ -154,15 +161,15 @@ impl<D: Scalar, const M: usize, const DOFS: usize> Contribution<D, M, DOFS> {
         self.by_multipliers -= row * by_multipliers.transpose();
     }
 
-    /// All numbers in order: residuals, rows, forces, stiffness and derivative with respect to the multipliers,
+    /// All numbers in order: residuals, rows, forces, stiffness and derivative with respect to so many multipliers,
     /// matrices row by row.
-    pub(crate) fn for_each(&self, visit: &mut impl FnMut(D)) {
+    pub(crate) fn for_each(&self, multipliers: usize, visit: &mut impl FnMut(D)) {
         let Self { residuals, rows, forces, stiffness, by_multipliers } = self;
         residuals.iter().for_each(|&x| visit(x));
         rows.row_iter().for_each(|row| row.iter().for_each(|&x| visit(x)));
         forces.iter().for_each(|&x| visit(x));
         stiffness.row_iter().for_each(|row| row.iter().for_each(|&x| visit(x)));
-        by_multipliers.row_iter().for_each(|row| row.iter().for_each(|&x| visit(x)));
+        by_multipliers.row_iter().for_each(|row| row.iter().take(multipliers).for_each(|&x| visit(x)));
     }
 }
 
@@ -199,7 +206,10 @@ impl<E: Element<M, DOFS>, D: Scalar, const M: usize, const DOFS: usize> Paramete
     ///
     /// Velocities are those of the translations and the angular velocities of the nodes, in the global frame. It is
     /// q̇ᵀ ∂²g q̇, computed from the geometric stiffness of each residual alone.
+    ///
+    /// An element without multipliers, which holds no condition, does not compile here.
     pub fn velocity_term(&self, nodes: &E::Nodes<D>, velocities: &SVector<D, DOFS>) -> SVector<D, M> {
+        const { assert!(!E::MULTIPLIERS.is_empty(), "the element holds no condition") };
         let (smooth, at_rest) = (self.smooth(), E::State::filled(D::zero()));
         SVector::from_fn(|k, _| {
             let (alone, _) = smooth.contribution(nodes, &along(k, D::one()), &at_rest);
@@ -213,6 +223,8 @@ impl<E: Element<M, DOFS>, D: Scalar, const M: usize, const DOFS: usize> Paramete
     /// With penalties κ the multipliers are λ − κ g. The result contains them, the forces, and the derivative of the
     /// forces with respect to the degrees of freedom with the multipliers eliminated; a program with an augmented
     /// Lagrangian starts its next iteration from these multipliers.
+    ///
+    /// An element without multipliers, which holds no condition, does not compile here.
     pub fn penalised(
         &self,
         nodes: &E::Nodes<D>,
@@ -220,6 +232,7 @@ impl<E: Element<M, DOFS>, D: Scalar, const M: usize, const DOFS: usize> Paramete
         penalties: &SVector<D, M>,
         before: &E::State<D>,
     ) -> (Penalised<D, M, DOFS>, E::State<D>) {
+        const { assert!(!E::MULTIPLIERS.is_empty(), "the element holds no condition") };
         let (held, _) = self.contribution(nodes, multipliers, before);
         let multipliers = multipliers - penalties.component_mul(&held.residuals);
         let (found, after) = self.contribution(nodes, &multipliers, before);
@@ -265,7 +278,7 @@ impl<E: Element<M, DOFS>, const M: usize, const DOFS: usize> Parameters<E, f64, 
         self.check(nodes, multipliers, before)?;
         let (found, after) = self.contribution(nodes, multipliers, before);
         let mut bits = 0;
-        found.for_each(&mut |x| bits |= bits_unless_finite(x));
+        found.for_each(E::MULTIPLIERS.len(), &mut |x| bits |= bits_unless_finite(x));
         if bits == 0 { Ok((found, after)) } else { Err(Error::Overflow { name: "contribution" }) }
     }
 }

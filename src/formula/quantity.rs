@@ -327,29 +327,10 @@ quantities! {
     LINE_G: r"g", Scalar, ONE, Real, "coordinate along a straight segment and what goes on straight past its ends, from -1 at its first node to 1 at its last";
     LINE_G_BEFORE: r"g^{\mathrm{before}}", Scalar, ONE, Within(-1.0, 1.0), "coordinate on the segment before the increment, from -1 at its first node to 1 at its last";
     XO: r"\mathbf{x}_o", Vec2, L, Point, "position of the other node of the ISL21A element, in the plane (r, z)";
-    E11_US: r"\mathbf{e}_{11,us}", Vec2, ONE, Vector, "variation of the separation by the translation of the slave point";
-    E11_U1: r"\mathbf{e}_{11,u1}", Vec2, ONE, Vector, "variation of the separation by the translation of the first node";
-    E11_U2: r"\mathbf{e}_{11,u2}", Vec2, ONE, Vector, "variation of the separation by the translation of the second node";
-    E11_U3: r"\mathbf{e}_{11,u3}", Vec2, ONE, Vector, "variation of the separation by the translation of the third node";
-    E12_US: r"\mathbf{e}_{12,us}", Vec2, ONE, Vector, "variation of the slip over a place that is held by the translation of the slave point";
-    E12_U1: r"\mathbf{e}_{12,u1}", Vec2, ONE, Vector, "variation of the slip over a place that is held by the translation of the first node";
-    E12_U2: r"\mathbf{e}_{12,u2}", Vec2, ONE, Vector, "variation of the slip over a place that is held by the translation of the second node";
-    E12_U3: r"\mathbf{e}_{12,u3}", Vec2, ONE, Vector, "variation of the slip over a place that is held by the translation of the third node";
     LINE_FORCE_S: r"\mathbf{f}_s", Vec2, F, Vector, "force of the contact on the slave point, around the whole circumference";
     LINE_FORCE_1: r"\mathbf{f}_1", Vec2, F, Vector, "force of the contact on the first node, around the whole circumference";
     LINE_FORCE_2: r"\mathbf{f}_2", Vec2, F, Vector, "force of the contact on the second node, around the whole circumference";
     LINE_FORCE_3: r"\mathbf{f}_3", Vec2, F, Vector, "force of the contact on the third node, around the whole circumference";
-    CONTACT_LAMBDA: r"\lambda", Scalar, F, Real, "contact force on the slave point along the normal, around the whole circumference";
-    LINE_K_US_US: r"\mathbf{K}_{us,us}", Mat2, F.per(L), Vector, "derivative of the force on the slave point by the translation of the slave point, at a constant contact force";
-    LINE_K_US_U1: r"\mathbf{K}_{us,u1}", Mat2, F.per(L), Vector, "derivative of the force on the slave point by the translation of the first node, at a constant contact force";
-    LINE_K_US_U2: r"\mathbf{K}_{us,u2}", Mat2, F.per(L), Vector, "derivative of the force on the slave point by the translation of the second node, at a constant contact force";
-    LINE_K_US_U3: r"\mathbf{K}_{us,u3}", Mat2, F.per(L), Vector, "derivative of the force on the slave point by the translation of the third node, at a constant contact force";
-    LINE_K_U1_U1: r"\mathbf{K}_{u1,u1}", Mat2, F.per(L), Vector, "derivative of the force on the first node by the translation of the first node, at a constant contact force";
-    LINE_K_U1_U2: r"\mathbf{K}_{u1,u2}", Mat2, F.per(L), Vector, "derivative of the force on the first node by the translation of the second node, at a constant contact force";
-    LINE_K_U1_U3: r"\mathbf{K}_{u1,u3}", Mat2, F.per(L), Vector, "derivative of the force on the first node by the translation of the third node, at a constant contact force";
-    LINE_K_U2_U2: r"\mathbf{K}_{u2,u2}", Mat2, F.per(L), Vector, "derivative of the force on the second node by the translation of the second node, at a constant contact force";
-    LINE_K_U2_U3: r"\mathbf{K}_{u2,u3}", Mat2, F.per(L), Vector, "derivative of the force on the second node by the translation of the third node, at a constant contact force";
-    LINE_K_U3_U3: r"\mathbf{K}_{u3,u3}", Mat2, F.per(L), Vector, "derivative of the force on the third node by the translation of the third node, at a constant contact force";
 
     // Interaction laws
     OVERCLOSURE: r"h", Scalar, L, Real, "overclosure, the separation with the opposite sign: positive when the surfaces overlap";

@@ -5,14 +5,19 @@
 //! cargo run --example dragged_ring
 //! ```
 
-use jointproof::contact::slide_line::element::newton::{Isl21a, LineContact, OnLine, Pressed, PressureLaw, SlaveState};
-use nalgebra::{SMatrix, Vector2, Vector4};
+use jointproof::contact::interaction::PressureExponential;
+use jointproof::contact::slide_line::element::{ExponentialLaw, Isl21aElement, Isl21aNodes, Isl21aState, IslContact};
+use jointproof::element::{Contribution, Parameters};
+use nalgebra::{SMatrix, Vector1, Vector2, Vector4};
 
 /// The free degrees of freedom: the translations of both nodes of the ring. The washer stands still.
 const FREE: usize = 4;
 
-const CONTACT: LineContact =
-    LineContact { law: PressureLaw::Exponential { c0: 0.05, p0: 40.0 }, k_stick: 2e3, mu: 0.5 };
+type Ring = Parameters<Isl21aElement<PressureExponential>, f64, 1, 12>;
+
+const MU: f64 = 0.5;
+const CONTACT: Ring =
+    Parameters { start: ExponentialLaw { c0: 0.05, p0: 40.0 }, contact: Some(IslContact { k_stick: 2e3, mu: MU }) };
 
 /// Springs tie each node to its place, which the load moves: how stiff they are.
 const SPRING: f64 = 500.0;
@@ -32,22 +37,37 @@ fn washer() -> [Vector2<f64>; 2] {
 }
 
 // ANCHOR: contact
-/// What the contact adds at these places of the ring.
-fn contact(law: LineContact, ring: &Vector4<f64>, before: &[SlaveState<f64>; 2]) -> Pressed<f64, 2, 12> {
-    let nodes = [ring.fixed_rows::<2>(0).into_owned(), ring.fixed_rows::<2>(2).into_owned()];
-    let places = OnLine { nodes, segments: [washer(); 2] };
-    Isl21a(law).newton(&places, before).expect("the ring stays over the washer")
+/// What the contact adds at these places of the ring, and the state after.
+fn contact(
+    element: &Ring,
+    ring: &Vector4<f64>,
+    before: &Isl21aState<f64>,
+) -> (Contribution<f64, 1, 12>, Isl21aState<f64>) {
+    let slaves = [ring.fixed_rows::<2>(0).into_owned(), ring.fixed_rows::<2>(2).into_owned()];
+    let nodes = Isl21aNodes::new(slaves, [washer(); 2]);
+    element.newton(&nodes, &Vector1::zeros(), before).expect("the ring stays over the washer")
 }
 // ANCHOR_END: contact
 
 /// The same forces with a shear that is held: as if it stuck without a stiffness.
-fn shear_held(ring: &Vector4<f64>, found: &Pressed<f64, 2, 12>) -> Pressed<f64, 2, 12> {
-    contact(LineContact { k_stick: 1e-12, mu: 1e12, ..CONTACT }, ring, &found.after)
+fn shear_held(ring: &Vector4<f64>, after: &Isl21aState<f64>) -> Contribution<f64, 1, 12> {
+    let held = Parameters { contact: Some(IslContact { k_stick: 1e-12, mu: 1e12 }), ..CONTACT };
+    contact(&held, ring, after).0
+}
+
+/// The shear stress over the pressure at both nodes, from the forces along the washer and normal to it.
+fn shear(found: &Contribution<f64, 1, 12>) -> [f64; 2] {
+    let [inner, outer] = washer();
+    let along = outer - inner;
+    [0, 2].map(|at| {
+        let force = found.forces.fixed_rows::<2>(at).into_owned();
+        -along.dot(&force) / along.perp(&force)
+    })
 }
 
 /// Whether a node slips.
-fn slips(found: &Pressed<f64, 2, 12>) -> bool {
-    found.after.iter().zip(found.pressures).any(|(after, p)| after.s12.abs() >= CONTACT.mu * p)
+fn slips(found: &Contribution<f64, 1, 12>) -> bool {
+    shear(found).iter().any(|ratio| ratio.abs() > MU - 1e-9)
 }
 
 /// The size of each step of an increment in which the springs' other ends are at `ends`, until it is below 1e-14, and the state
@@ -55,15 +75,15 @@ fn slips(found: &Pressed<f64, 2, 12>) -> bool {
 fn increment(
     ring: &mut Vector4<f64>,
     ends: &Vector4<f64>,
-    before: &[SlaveState<f64>; 2],
+    before: &Isl21aState<f64>,
     tangent: Tangent,
-) -> (Vec<f64>, [SlaveState<f64>; 2]) {
+) -> (Vec<f64>, Isl21aState<f64>) {
     let mut sizes = Vec::new();
     while sizes.len() < 60 && sizes.last().is_none_or(|&size| size > 1e-14) {
         // ANCHOR: step
-        let found = contact(CONTACT, ring, before);
+        let (found, after) = contact(&CONTACT, ring, before);
         let forces = found.forces.fixed_rows::<FREE>(0) - (*ring - ends) * SPRING;
-        let counts = if tangent == Tangent::ShearHeld && slips(&found) { shear_held(ring, &found) } else { found };
+        let counts = if tangent == Tangent::ShearHeld && slips(&found) { shear_held(ring, &after) } else { found };
         let of_contact = counts.stiffness.fixed_view::<FREE, FREE>(0, 0).into_owned();
         let matrix = of_contact - SMatrix::<f64, FREE, FREE>::identity() * SPRING;
         let step = matrix.lu().solve(&-forces).expect("the springs hold the ring");
@@ -71,7 +91,7 @@ fn increment(
         // ANCHOR_END: step
         sizes.push(step.amax());
     }
-    (sizes, contact(CONTACT, ring, before).after)
+    (sizes, contact(&CONTACT, ring, before).1)
 }
 
 /// The steps of two increments: a push that sticks, and a pull along the washer that slips; and the shear stress over the pressure
@@ -79,14 +99,13 @@ fn increment(
 pub fn steps(tangent: Tangent) -> [(Vec<f64>, f64); 2] {
     let start = Vector4::new(2.0, 0.52, 2.5, 0.77);
     let mut ring = start;
-    let mut state = contact(CONTACT, &ring, &[SlaveState { g: -0.5, s12: 0.0 }; 2])
-        .after
-        .map(|after| SlaveState { s12: 0.0, ..after });
+    let nowhere = Isl21aState { g: Vector2::new(-0.5, -0.5), s12: Vector2::zeros() };
+    let mut state = Isl21aState { s12: Vector2::zeros(), ..contact(&CONTACT, &ring, &nowhere).1 };
     [Vector4::new(0.0, -0.1, 0.0, -0.1), Vector4::new(-0.3, -0.25, -0.3, -0.25)].map(|load| {
         let (sizes, after) = increment(&mut ring, &(start + load), &state, tangent);
-        let pressure = contact(CONTACT, &ring, &state).pressures[0];
+        let ratio = shear(&contact(&CONTACT, &ring, &state).0)[0];
         state = after;
-        (sizes, after[0].s12 / pressure)
+        (sizes, ratio)
     })
 }
 
@@ -103,13 +122,13 @@ fn main() {
 
 #[cfg(test)]
 mod tests {
-    use super::{CONTACT, Tangent, steps};
+    use super::{MU, Tangent, steps};
 
     /// Once stick and slip no longer change, each step is in proportion to the square of the one before, down to rounding.
     #[test]
     fn with_the_consistent_tangent_the_error_is_squared() {
         let [(pushed, stuck), (dragged, slipped)] = steps(Tangent::Consistent);
-        assert!(stuck.abs() < CONTACT.mu - 0.01 && (slipped.abs() - CONTACT.mu).abs() < 1e-12, "{stuck}, {slipped}");
+        assert!(stuck.abs() < MU - 0.01 && (slipped.abs() - MU).abs() < 1e-12, "{stuck}, {slipped}");
         for sizes in [&pushed, &dragged] {
             assert!(sizes.len() <= 7, "{sizes:?}");
             for pair in sizes.windows(2).filter(|pair| pair[0] < 1e-2) {

@@ -5,17 +5,20 @@
 //! cargo run --example thread
 //! ```
 
-use jointproof::contact::slide_line::element::newton::{Isl21a, LineContact, OnLine, Pressed, PressureLaw, SlaveState};
-use nalgebra::{SMatrix, SVector, Vector2};
+use jointproof::contact::interaction::PressureExponential;
+use jointproof::contact::slide_line::element::{ExponentialLaw, Isl21aElement, Isl21aNodes, Isl21aState, IslContact};
+use jointproof::element::{Contribution, Parameters};
+use nalgebra::{SMatrix, SVector, Vector1, Vector2};
 
 /// Turns of the thread, each a ring; every one has a flank with two nodes.
 pub const TURNS: usize = 4;
 /// The translations of all nodes of the pin, in the order of the turns. The box is rigid.
 const FREE: usize = 4 * TURNS;
 
+const MU: f64 = 0.1;
 /// In mm, N/mm², N/mm³.
-const CONTACT: LineContact =
-    LineContact { law: PressureLaw::Exponential { c0: 1e-3, p0: 20.0 }, k_stick: 1e5, mu: 0.1 };
+const CONTACT: Parameters<Isl21aElement<PressureExponential>, f64, 1, 12> =
+    Parameters { start: ExponentialLaw { c0: 1e-3, p0: 20.0 }, contact: Some(IslContact { k_stick: 1e5, mu: MU }) };
 
 /// In N/mm: of the pin along its axis, from a node to that of the next turn, and of the hoop at a node.
 const AXIAL: f64 = 4e7;
@@ -36,16 +39,27 @@ fn start() -> SVector<f64, FREE> {
     })
 }
 
-type States = [[SlaveState<f64>; 2]; TURNS];
+type States = [Isl21aState<f64>; TURNS];
+type Found = (Contribution<f64, 1, 12>, Isl21aState<f64>);
 
 // ANCHOR: turn
-/// What a turn adds at these places of the pin.
-fn contact(turn: usize, pin: &SVector<f64, FREE>, before: &States) -> Pressed<f64, 2, 12> {
+/// What a turn adds at these places of the pin, and its state after.
+fn contact(turn: usize, pin: &SVector<f64, FREE>, before: &States) -> Found {
     let node = |k: usize| pin.fixed_rows::<2>(4 * turn + 2 * k).into_owned();
-    let places = OnLine { nodes: [node(0), node(1)], segments: [flank(turn); 2] };
-    Isl21a(CONTACT).newton(&places, &before[turn]).expect("the nodes stay over their flank")
+    let nodes = Isl21aNodes::new([node(0), node(1)], [flank(turn); 2]);
+    CONTACT.newton(&nodes, &Vector1::zeros(), &before[turn]).expect("the nodes stay over their flank")
 }
 // ANCHOR_END: turn
+
+/// The shear stress over the pressure at both nodes of a turn, from the forces along the flank and normal to it.
+fn shear(turn: usize, forces: &SVector<f64, 12>) -> [f64; 2] {
+    let [inner, outer] = flank(turn);
+    let along = outer - inner;
+    [0, 2].map(|at| {
+        let force = forces.fixed_rows::<2>(at).into_owned();
+        -along.dot(&force) / along.perp(&force)
+    })
+}
 
 /// How stiff the pin is: hoops, and springs along the axis from turn to turn.
 fn pin_stiffness() -> SMatrix<f64, FREE, FREE> {
@@ -83,11 +97,9 @@ pub fn loaded() -> Vec<Increment> {
     let (start, elastic) = (start(), pin_stiffness());
     let mut pin = start;
     // Nothing sheared yet, where the nodes are.
-    let unsheared = |turn: usize, states: &States| {
-        contact(turn, &start, states).after.map(|after| SlaveState { s12: 0.0, ..after })
-    };
-    let nowhere = [[SlaveState { g: 0.0, s12: 0.0 }; 2]; TURNS];
-    let mut states: States = [0, 1, 2, 3].map(|turn| unsheared(turn, &nowhere));
+    let none = Vector2::zeros();
+    let nowhere = [Isl21aState { g: none, s12: none }; TURNS];
+    let mut states = [0, 1, 2, 3].map(|turn| Isl21aState { s12: none, ..contact(turn, &start, &nowhere).1 });
     let mut increments = Vec::new();
     for load in [2.5e5, 5e5, 1e6, 5e5] {
         let mut steps = Vec::new();
@@ -99,7 +111,7 @@ pub fn loaded() -> Vec<Increment> {
                 forces[node] -= load / 2.0;
             }
             for turn in 0..TURNS {
-                let (found, at) = (contact(turn, &pin, &states), 4 * turn);
+                let ((found, _), at) = (contact(turn, &pin, &states), 4 * turn);
                 let mut of_turn = forces.fixed_rows_mut::<4>(at);
                 of_turn += found.forces.fixed_rows::<4>(0);
                 let mut block = matrix.fixed_view_mut::<4, 4>(at, at);
@@ -111,13 +123,14 @@ pub fn loaded() -> Vec<Increment> {
             steps.push(step.amax());
         }
         let found: [_; TURNS] = std::array::from_fn(|turn| contact(turn, &pin, &states));
-        states = std::array::from_fn(|turn| found[turn].after);
+        states = found.map(|(_, after)| after);
+        let found = found.map(|(turn, _)| turn);
         increments.push(Increment {
             load,
             steps,
             shares: std::array::from_fn(|turn| found[turn].forces[1] + found[turn].forces[3]),
-            torque: found.iter().map(|turn| turn.torque).sum(),
-            shear: std::array::from_fn(|turn| [0, 1].map(|n| found[turn].after[n].s12 / found[turn].pressures[n])),
+            torque: found.iter().map(|turn| turn.residuals[0]).sum(),
+            shear: std::array::from_fn(|turn| shear(turn, &found[turn].forces)),
         });
     }
     increments
@@ -135,7 +148,7 @@ fn main() {
 
 #[cfg(test)]
 mod tests {
-    use super::{CONTACT, Increment, loaded};
+    use super::{Increment, MU, loaded};
 
     #[test]
     fn the_turns_carry_the_load_the_first_the_most() {
@@ -160,7 +173,7 @@ mod tests {
     #[test]
     fn it_slips_under_the_load_and_sticks_where_it_is_taken_back() {
         let [.., pulled, back] = loaded().try_into().ok().map(|all: [Increment; 4]| all.map(|one| one.shear)).unwrap();
-        let slips = |ratio: f64| ratio.abs() > CONTACT.mu - 1e-9;
+        let slips = |ratio: f64| ratio.abs() > MU - 1e-9;
         assert!(pulled.iter().flatten().all(|&ratio| slips(ratio) && ratio < 0.0), "{pulled:?}");
         assert!(back[0].iter().all(|&ratio| slips(ratio) && ratio > 0.0), "{back:?}");
         assert!(back[1..].iter().flatten().all(|&ratio| !slips(ratio)), "{back:?}");

@@ -3,7 +3,8 @@
 
 Rows are differences of residuals, forces are Rows^T lambda and friction against its motions, and matrices are differences of
 forces, with hundreds of digits: nothing is derived by hand. SLIDER's rows are those of the oracle, since they are the
-derivative of its residuals on the line only.
+derivative of its residuals on the line only. On a slide line there are no multipliers: forces are area times pressure and
+shear at each closest point.
 
 examples:
   python check_elements.py                   all files of ../../golden/elements
@@ -23,7 +24,9 @@ from typing import Any, Callable
 from check_golden import flatten, number
 from mpmath import mp, mpf
 from oracle import CATALOG
-from oracle.core import bits_of, cross, dot, sub, to_double
+from oracle.contact import nodal_forces
+from oracle.core import bits_of, cross, dot, norm, scale, sub, to_double
+from oracle.slide_line import at, closest, derivative, gauss_legendre_5, normal, parabolic
 
 GOLDEN = Path(__file__).resolve().parents[2] / "golden/elements"
 DIGITS = 420
@@ -234,6 +237,79 @@ class Hinge(Element):
         return [m1], dict(ur1=ur1, m1=m1)
 
 
+class Isl(Element):
+    """Slave nodes against their segments; what is reported with its derivative is the torque."""
+
+    shape = "linear"
+
+    def points(self, nodes: Values) -> list[tuple[list, list[list]]]:
+        """Every slave node with the nodes of its segment."""
+        numbers = range(1, 3 if self.shape == "linear" else 4)
+        return [(nodes[f"xs{s}"], [nodes[f"x{s}{k}"] for k in numbers]) for s in numbers]
+
+    def foot(self, xs: list, segment: list[list]) -> tuple:
+        """Coordinate and separation, and whether the slave node is between the ends."""
+        x1, x2 = segment
+        along = sub(x2, x1)
+        length = norm(*along)
+        g = 2 * dot(sub(xs, x1), along) / length**2 - 1
+        return g, dot(sub(xs, x1), normal(scale(1 / length, along))), -1 <= g <= 1
+
+    def path(self, segment: list[list], before, g):
+        """From one point of the segment to another, along it."""
+        return (g - before) / 2 * norm(*sub(segment[1], segment[0]))
+
+    def pressure(self, h):
+        law = self.given | dict(h=h)
+        return call("interaction.pressure_linear" if "k" in law else "interaction.pressure_exponential", law)["p"]
+
+    def touched(self, nodes: Values) -> list[tuple]:
+        """Coordinate, pressure and shear stress of every slave node."""
+        found = []
+        for slave, (xs, segment) in enumerate(self.points(nodes)):
+            g, separation, inside = self.foot(xs, segment)
+            s11, s12 = self.pressure(-separation) if inside else mpf(0), mpf(0)
+            if self.rubs and s11 > 0:
+                slip = self.path(segment, self.given["g"][slave], g)
+                s12 = slid(slip, self.given["s12"][slave], self.given["k_stick"], self.given["mu"], s11)
+            found.append((g, s11, s12))
+        return found
+
+    def slaves(self, nodes: Values) -> Values:
+        return {f"x{k}": xs for k, (xs, _) in enumerate(self.points(nodes), 1)}
+
+    def residual(self, nodes: Values) -> list:
+        pressures = {f"p{k}": s11 for k, (_, s11, _) in enumerate(self.touched(nodes), 1)}
+        return [call(f"slide_line.torque_{self.shape}", self.slaves(nodes) | pressures)["t"]]
+
+    def forces(self, nodes: Values, multipliers: list) -> list:
+        areas = call(f"slide_line.contact_area_{self.shape}", self.slaves(nodes)).values()
+        on_slaves, on_line = [], []
+        for (g, s11, s12), area, (_, segment) in zip(self.touched(nodes), areas, self.points(nodes), strict=True):
+            found = list(nodal_forces(segment, g, area, s11, s12).values())
+            on_slaves += found[0]
+            on_line += [x for force in found[1:] for x in force]
+        return on_slaves + on_line
+
+    def friction(self, nodes: Values, multipliers: list) -> tuple[list, Values]:
+        touched = self.touched(nodes)
+        return [], dict(g=[g for g, _, _ in touched], s12=[s12 for _, _, s12 in touched])
+
+
+class IslParabolic(Isl):
+    shape = "parabolic"
+
+    def foot(self, xs: list, segment: list[list]) -> tuple:
+        g, separation = closest(xs, parabolic(*segment), -1, 1)
+        return g, separation, -1 < g < 1
+
+    def path(self, segment: list[list], before, g):
+        """By Gauss's rule with five points, as the element has it."""
+        velocity = [derivative(p) for p in parabolic(*segment)]
+        middle, reach = (g + before) / 2, (g - before) / 2
+        return sum(w * reach * norm(*at(velocity, middle + reach * x)) for x, w in gauss_legendre_5())
+
+
 class Slider(Element):
     residuals = "slider.constraint"
 
@@ -261,6 +337,10 @@ ELEMENTS: dict[str, type[Element]] = dict(
     hinge=Hinge,
     slider=Slider,
     slider_2d=Slider2d,
+    isl21a_linear=Isl,
+    isl21a_exponential=Isl,
+    isl22a_linear=IslParabolic,
+    isl22a_exponential=IslParabolic,
 )
 
 
@@ -272,17 +352,14 @@ def check_case(job: tuple[dict, dict]) -> tuple[int, list[str]]:
     right, wrong = 0, []
     for part, written in case["out"].items():
         exact = found[part]
-        pairs = (
-            [(f"{part}.{name}", written[name], exact[name], case["out_scale"][part][name]) for name in written]
-            if part == "after"
-            else [
-                (part + path, x, y, scale)
-                for (path, x), (_, y), (_, scale) in zip(
-                    flatten(written), flatten(exact), flatten(case["out_scale"][part]), strict=True
-                )
-            ]
-        )
-        largest = max((mpf(scale) for *_, scale in pairs), default=mpf(0))
+        lists = (written, exact, case["out_scale"][part])
+        fields = {f"after.{name}": [x[name] for x in lists] for name in written} if part == "after" else {part: lists}
+        pairs = [
+            (name + path, x, y, size)
+            for name, lists in fields.items()
+            for (path, x), (_, y), (_, size) in zip(*map(flatten, lists), strict=True)
+        ]
+        largest = max((mpf(size) for *_, size in pairs), default=mpf(0))
         for name, golden, true, _ in pairs:
             if abs(true) <= NOTHING * largest:
                 true = mpf(0)

@@ -43,7 +43,7 @@ class Elements(unittest.TestCase):
             "forces": lambda out: out["forces"].__setitem__(6, out["forces"][6] * (1 + 2**-52)),
             "stiffness": lambda out: out["stiffness"][0].__setitem__(4, out["stiffness"][0][4] * (1 - 2**-53)),
             "by_multipliers": lambda out: out["by_multipliers"][6].__setitem__(0, 1.5),
-            "after": lambda out: out["after"].__setitem__("slip", out["after"]["slip"] + 2**-40),
+            "after": lambda out: out["after"].__setitem__("u1", out["after"]["u1"] + 2**-40),
         }
         for part, plant in plants.items():
             file = few("slot")
@@ -52,8 +52,15 @@ class Elements(unittest.TestCase):
             self.assertEqual(len(wrong), 1, (part, wrong))
             self.assertIn(f": {part}", wrong[0])
 
+    def test_each_number_of_a_list_in_the_state_is_checked(self) -> None:
+        file = few("isl21a_linear")
+        file["cases"][-1]["out"]["after"]["s12"][1] += 2**-40
+        wrong = self.wrong(file)
+        self.assertEqual(len(wrong), 1, wrong)
+        self.assertIn(": after.s12[1]: ", wrong[0])
+
     def test_an_unknown_element_is_named(self) -> None:
-        self.assertEqual(self.wrong(few("slot") | {"element": "hinge"}), ["hinge: no such element here"])
+        self.assertEqual(self.wrong(few("slot") | {"element": "hub"}), ["hub: no such element here"])
 
     def test_the_command_tells_what_is_off_and_fails(self) -> None:
         with tempfile.TemporaryDirectory() as folder:

@@ -1,15 +1,15 @@
-//! Contact along a slide line as an element: a slave point, and the two or three nodes of the segment that it touches.
+//! Contact along a slide line as an element: slave nodes, each with the two or three nodes of the segment that it touches.
 //!
 //! | | |
 //! |---|---|
-//! | unknowns | the translations of the slave point and of the nodes of the segment, in the plane (r, z) |
+//! | unknowns | the translations of the slave nodes and of the nodes of their segments, in the plane (r, z) |
 //! | position | the closest point of the segment, g, which [`closest_*`](crate::contact::slide_line) finds |
-//! | rows | of the separation E11: n and −Nᵢ n; of the slip: t and −Nᵢ t |
+//! | work | of the pressure on the separation E11: n on the slave point, −Nᵢ n on the nodes; of the shear on the slip: t and −Nᵢ t |
 //! | zero position | E11 = 0: the slave point on the segment |
 //! | signs | those of [`isl`](crate::contact::isl): S11 pushes the slave point along n, S12 along −t, which is against positive slip |
 //!
-//! At the closest point the separation is stationary with respect to g, so its row is exact although g is held constant. The row
-//! of the slip is the velocity relative to the material at the point g, which is held constant, too. It is not the derivative of
+//! At the closest point the separation is stationary with respect to g, so its variation is exact although g is held constant. The
+//! shear works on the velocity relative to the material at the point g, which is held constant, too. It is not the derivative of
 //! the distance that the closest point travels along the line, which ends at g but begins elsewhere; a consistent tangent needs
 //! both.
 //!
@@ -19,12 +19,18 @@
 #![expect(clippy::inline_always, reason = "a call would write the results to memory, and wait for them there")]
 
 mod chain;
+mod fields;
 pub mod forces;
-pub mod newton;
-pub mod rows;
-pub mod stiffness;
+mod ring;
+mod segment;
 
-use crate::contact::slide_line::{Sides, length_and_tangent, shape};
+pub use fields::{
+    ExponentialLaw, Isl21aNodes, Isl21aState, Isl22aNodes, Isl22aState, IslContact, LinearLaw, PressureLaw,
+};
+pub use ring::{Isl, Isl21aElement, Isl22aElement};
+pub use segment::{Curved, Straight};
+
+use crate::contact::slide_line::{Sides, left, length_and_tangent, shape};
 use crate::number::scalar::Scalar;
 use nalgebra::Vector2;
 
@@ -35,33 +41,25 @@ struct Spot<D, const N: usize> {
     n: Vector2<D>,
     /// Nᵢ.
     weights: [D; N],
-    /// Nᵢ′/|X′|: the derivatives with respect to the length of the line.
-    rates: [D; N],
-    /// The curvature n·X″/|X′|².
-    curvature: D,
+}
+
+impl<D: Scalar, const N: usize> Spot<D, N> {
+    #[inline(always)]
+    fn new(along: Vector2<D>, weights: [D; N]) -> Self {
+        let (_, t) = length_and_tangent(along);
+        Self { t, n: left(t), weights }
+    }
 }
 
 impl<D: Scalar> Spot<D, 2> {
     fn linear([x1, x2]: [Vector2<D>; 2], g: D) -> Self {
-        let (length, t) = length_and_tangent(x2 - x1);
-        let per_length = length.recip();
-        let (weights, rates) = (shape::linear(g), [-per_length, per_length]);
-        Self { t, n: Vector2::new(-t.y, t.x), weights, rates, curvature: D::zero() }
+        Self::new(x2 - x1, shape::linear(g))
     }
 }
 
 impl<D: Scalar> Spot<D, 3> {
     #[inline(always)]
     fn parabolic(nodes: [Vector2<D>; 3], g: D) -> Self {
-        let sides = Sides::new(nodes);
-        let (speed, t) = length_and_tangent(sides.rate(g));
-        let per_speed = speed.recip();
-        Self {
-            t,
-            n: Vector2::new(-t.y, t.x),
-            weights: shape::parabolic(g),
-            rates: shape::parabolic_rates(g).map(|rate| rate * per_speed),
-            curvature: sides.turn(speed) * per_speed * per_speed,
-        }
+        Self::new(Sides::new(nodes).rate(g), shape::parabolic(g))
     }
 }

@@ -15,7 +15,7 @@ use std::marker::PhantomData;
 pub struct Step<E: Element<M, DOFS>, D: Component, const M: usize, const DOFS: usize = 12> {
     /// Positions and orientations of its nodes.
     pub nodes: E::Nodes<D>,
-    /// The multipliers.
+    /// The multipliers; 0 if the element has none.
     pub multipliers: SVector<D, M>,
     /// The parameters of the element.
     pub parameters: Parameters<E, D, M, DOFS>,
@@ -30,7 +30,7 @@ impl<E: Element<M, DOFS>, D: Scalar, const M: usize, const DOFS: usize> Step<E, 
         let mut next = || rest.next().expect("there is a component for every field");
         Self {
             nodes: Fields::from_components(&mut next),
-            multipliers: SVector::from_fn(|_, _| next()),
+            multipliers: SVector::from_fn(|k, _| if k < E::MULTIPLIERS.len() { next() } else { D::zero() }),
             parameters: Parameters {
                 start: Fields::from_components(&mut next),
                 contact: rubs.then(|| Fields::from_components(&mut next)),
@@ -41,7 +41,8 @@ impl<E: Element<M, DOFS>, D: Scalar, const M: usize, const DOFS: usize> Step<E, 
 
     /// The components in the order of [`inputs`].
     pub(crate) fn components(&self) -> Vec<D> {
-        let mut all = [self.nodes.components(), self.multipliers.iter().copied().collect()].concat();
+        let mut all = self.nodes.components();
+        all.extend(self.multipliers.iter().take(E::MULTIPLIERS.len()));
         all.extend(self.parameters.start.components());
         if let Some(contact) = &self.parameters.contact {
             all.extend(contact.components());
@@ -58,7 +59,7 @@ impl<E: Element<M, DOFS>, D: Scalar, const M: usize, const DOFS: usize> Step<E, 
 
     fn in_order(&self, (found, after): (Contribution<D, M, DOFS>, E::State<D>)) -> Vec<D> {
         let mut all = Vec::new();
-        found.for_each(&mut |x| all.push(x));
+        found.for_each(E::MULTIPLIERS.len(), &mut |x| all.push(x));
         if self.parameters.contact.is_some() {
             all.extend(after.components());
         }
@@ -140,6 +141,13 @@ pub trait ProvedElement<const M: usize, const DOFS: usize = 12>: Element<M, DOFS
     /// The step with its nodes moved to where the residuals vanish, for an element without [`EXACT_ROWS`](Self::EXACT_ROWS).
     fn held(step: Step<Self, Octuple, M, DOFS>) -> Step<Self, Octuple, M, DOFS> {
         step
+    }
+
+    /// For an element without multipliers: the virtual work of its loads, by the formulas of the document. The loads,
+    /// and the directions in which they act, are constant; the nodes move, and the forces on them are the derivative of
+    /// the work.
+    fn work<D: Scalar>(_: &Step<Self, D, M, DOFS>, _: &Self::State<D>) -> D {
+        D::zero()
     }
 
     /// Its friction forces after the step, by the formulas of the document.

@@ -154,6 +154,8 @@ pub enum Domain {
     HalfOpen(f64, f64),
     /// A point: translates and rotates with the model.
     Point,
+    /// A point of an axisymmetric model, (r, z): it moves with the model along the axis.
+    Meridian,
     /// A free vector (a displacement, a force), or a matrix that maps one to another: rotates with the model.
     Vector,
     /// A unit vector: rotates with the model.

@@ -42,7 +42,8 @@ pub(super) fn rescale(fields: &[Field], components: &[Octuple]) -> Vec<Octuple> 
 
 /// The largest coordinate of a point, or 1: the translation is proportional to it, so that it does not swamp a small model.
 pub(super) fn reach(fields: &[Field], components: &[Octuple]) -> Octuple {
-    let is_point = fields.iter().flat_map(|field| vec![field.quantity.domain == Domain::Point; field.len()]);
+    let is_point = |domain| matches!(domain, Domain::Point | Domain::Meridian);
+    let is_point = fields.iter().flat_map(|field| vec![is_point(field.quantity.domain); field.len()]);
     let coordinates = components.iter().zip(is_point).filter(|(_, is_point)| *is_point).map(|(x, _)| x.abs());
     coordinates
         .reduce(|largest, x| if x > largest { x } else { largest })
@@ -63,6 +64,10 @@ pub(super) fn moved(fields: &[Field], components: &[Octuple], reach: Octuple) ->
 }
 
 fn move_part(part: &[Octuple], domain: Domain, shape: Shape, reach: Octuple) -> Vec<Octuple> {
+    let translation = [1.25, -7.0, 3.5].map(|x| reach * x);
+    if let (Domain::Meridian, &[r, z]) = (domain, part) {
+        return vec![r, z + translation[1]];
+    }
     if !domain.turns() || shape == Shape::Scalar {
         return part.to_vec();
     }
@@ -74,7 +79,6 @@ fn move_part(part: &[Octuple], domain: Domain, shape: Shape, reach: Octuple) -> 
         let [w, x, y, z] = direction([2.0, -1.0, 3.0, 4.0].map(number));
         rotation(w, x, y, z)
     };
-    let translation = [1.25, -7.0, 3.5].map(|x| reach * x);
     if let [rows, _] = *shape.dimensions() {
         // Row i and column j are combinations of both axes.
         let turned = |row: usize, column: usize| {

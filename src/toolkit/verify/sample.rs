@@ -87,7 +87,12 @@ impl Sampler {
 
     pub(super) fn number(&mut self, domain: Domain) -> f64 {
         match domain {
-            Domain::Real | Domain::Point | Domain::Vector | Domain::Direction | Domain::Triad(..) => self.signed(),
+            Domain::Real
+            | Domain::Point
+            | Domain::Meridian
+            | Domain::Vector
+            | Domain::Direction
+            | Domain::Triad(..) => self.signed(),
             Domain::NonNegative | Domain::Positive => self.magnitude(),
             Domain::Angle => self.between(-std::f64::consts::PI, std::f64::consts::PI),
             Domain::Between(low, high) | Domain::Within(low, high) | Domain::HalfOpen(low, high) => {

@@ -5,7 +5,6 @@ use crate::Octuple;
 use crate::connector::slider::hard::{plane_lines, scenes};
 use crate::connector::slider::rows::proof::is_oblique;
 use crate::connector::slider::{Constraint2d, IncrementalConstraint2d, MovingNodes2d, Nodes2d};
-use crate::contact::slide_line::element::stiffness::{Linear, LinearTouch};
 use crate::element::motion::{Moving, still};
 use crate::formula::proof::{Case, Equation, Law, Proved, law};
 use crate::formula::{Fields, Formula};
@@ -200,16 +199,6 @@ impl Proved for GeometricStiffness {
                     law::equal_all_with(pairs, entry_size(&at))
                 },
             ),
-            Law::<Self>::new("on the line it is that of a slave point on a straight slide line", |i| {
-                let at = i.aligned();
-                let along = at.xn - at.x1;
-                let g = (at.xm - at.x1).dot(&along) / along.dot(&along) * 2.0 - 1.0;
-                let touch = LinearTouch { x1: at.x1, x2: at.xn, g, separation: Octuple::zero(), lambda: at.lambda };
-                let (slider, line) = (Self::eval(&at).matrix(), Linear::eval(&touch).matrix());
-                let order = [2, 3, 4, 5, 0, 1];
-                let pairs = (0..36).map(|k| (slider[(k / 6, k % 6)], line[(order[k / 6], order[k % 6])]));
-                law::equal_all_with(pairs, entry_size(&at))
-            }),
             Law::<Self>::new("it is symmetric, and a common motion of all nodes changes nothing", |i| {
                 let matrix = Self::eval(i).matrix();
                 let pairs = (0..36).map(|k| (matrix[(k / 6, k % 6)], matrix[(k % 6, k / 6)]));

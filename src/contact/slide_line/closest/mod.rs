@@ -22,7 +22,7 @@
 
 mod candidates;
 #[cfg(feature = "verify")]
-mod evidence;
+pub(super) mod evidence;
 mod expansion;
 mod foot;
 mod linear;

@@ -9,7 +9,7 @@ use std::ops::{Add, Mul, Neg};
 
 /// A number, and its derivatives with respect to K variables.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Term<D, const K: usize> {
+pub struct Term<D, const K: usize> {
     pub(super) value: D,
     pub(super) slope: SVector<D, K>,
 }
@@ -60,7 +60,7 @@ impl<D: Scalar, const K: usize> Neg for Term<D, K> {
 
 /// The components of a struct as an array.
 #[inline]
-fn components<T: Component, X: Fields<T>>(x: &X, filler: T) -> X::Array {
+pub(super) fn components<T: Component, X: Fields<T>>(x: &X, filler: T) -> X::Array {
     let mut all = X::array_of(filler);
     let mut places = all.as_mut().iter_mut();
     x.for_each_component(&mut |component| {

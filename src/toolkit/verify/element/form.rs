@@ -4,7 +4,7 @@ use super::compare::{DIFFERENCES, largest};
 use super::linear::{Matrix, Vector, column};
 use crate::Octuple;
 use crate::formula::proof::{ProvedElement, Rubbed, Step};
-use crate::formula::quantity::Unit;
+use crate::formula::quantity::{Domain, Unit};
 use crate::formula::{Field, Fields, Spec, WIDTH};
 use crate::toolkit::verify::Sensitivity;
 use crate::toolkit::verify::jet::Sweep;
@@ -56,13 +56,10 @@ impl Layout {
             contact: <E::Contact<f64> as Fields<f64>>::FIELDS,
             state: <E::State<f64> as Fields<f64>>::FIELDS,
         };
-        let counts = [layout.unknowns, layout.forces, layout.residuals, layout.multipliers].map(count);
-        assert_eq!(
-            counts,
-            [DOFS, DOFS, M, M],
-            "{}: a name for every unknown, force, residual and multiplier",
-            E::SPEC.id
-        );
+        let counts = [layout.unknowns, layout.forces, layout.residuals].map(count);
+        let (id, held) = (E::SPEC.id, layout.held());
+        assert_eq!(counts, [DOFS, DOFS, M], "{id}: a name for every unknown, force and residual");
+        assert!(held == M || held == 0, "{id}: a name for every multiplier");
         layout
     }
 
@@ -72,6 +69,16 @@ impl Layout {
 
     pub(super) fn conditions(&self) -> usize {
         count(self.residuals)
+    }
+
+    /// The number of conditions that are held by multipliers: all or none.
+    pub(super) fn held(&self) -> usize {
+        count(self.multipliers)
+    }
+
+    /// Whether the model is axisymmetric, so that its only rigid-body motion is along the axis.
+    pub(super) fn is_axisymmetric(&self) -> bool {
+        self.nodes.iter().any(|field| field.quantity.domain == Domain::Meridian)
     }
 
     /// The results as matrices.
@@ -88,7 +95,7 @@ impl Layout {
             rows: next(m, n),
             forces: next(n, 1).column(0).into_owned(),
             stiffness: next(n, n),
-            by_multipliers: next(n, m),
+            by_multipliers: next(n, self.held()),
             after: rest.to_vec(),
         }
     }
@@ -184,6 +191,8 @@ pub(crate) struct Form {
     motion: fn(&[Octuple], usize) -> Vec<Octuple>,
     /// The friction forces, from the inputs and the state after the step.
     rubbed: fn(&[Number], &[Number]) -> Vec<Rubbed<Number>>,
+    /// The virtual work of the loads of an element without multipliers, from the same.
+    work: fn(&[Number], &[Number]) -> Number,
 }
 
 /// A number with derivatives along a few directions.
@@ -206,11 +215,8 @@ impl Form {
                 let moved = Step { nodes: E::moved(&step.nodes, &motions), ..step };
                 moved.components().iter().map(|x| slope(x, 0)).collect()
             },
-            rubbed: |i, after| {
-                let mut rest = after.iter().copied();
-                let after = Fields::from_components(&mut || rest.next().expect("the state after was computed"));
-                E::rubbed(&Step::of(i, RUBS), &after)
-            },
+            rubbed: |i, after| E::rubbed(&Step::of(i, RUBS), &state(after)),
+            work: |i, after| E::work(&Step::of(i, RUBS), &state(after)),
         }
     }
 
@@ -222,27 +228,32 @@ impl Form {
         let scales: Vec<_> =
             sizes.map(|(gradient, &value)| Sensitivity::new(gradient, &inputs).plus(value).size()).collect();
         let directions = self.directions(layout, &inputs);
-        let (n, m) = (layout.degrees(), layout.conditions());
-        let (mut slopes, mut motions, mut rubbed) = (Vec::new(), Vec::new(), Vec::new());
+        let (n, m, all) = (layout.degrees(), layout.conditions(), directions.len());
+        let (mut slopes, mut motions, mut rubbed, mut work) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         for few in directions.chunks(WIDTH) {
             let seeded: Vec<_> = inputs.iter().enumerate().map(|(k, &x)| seed(x, few, k)).collect();
             let results = self.subject.swept(&seeded);
-            let after = &results[results.len() - count(layout.state)..];
+            // Without friction there is no state.
+            let nothing = vec![Sweep::from_re(Octuple::zero()); count(layout.state)];
+            let after = if self.rubs { &results[results.len() - nothing.len()..] } else { &nothing };
             let frictions = if self.rubs { (self.rubbed)(&seeded, after) } else { Vec::new() };
+            let loads = (self.work)(&seeded, after);
             for direction in 0..few.len() {
+                work.push(slope(&loads, direction));
                 slopes.extend(results.iter().map(|x| slope(x, direction)));
                 motions.extend(frictions.iter().map(|friction| slope(&friction.motion, direction)));
             }
             rubbed = frictions.iter().map(real_part).collect();
         }
-        let slopes = Matrix::from_vec(values.len(), n + m, slopes);
-        let motions = Matrix::from_vec(rubbed.len(), n + m, motions);
+        let slopes = Matrix::from_vec(values.len(), all, slopes);
+        let motions = Matrix::from_vec(rubbed.len(), all, motions);
         let derivative = Derivatives {
             residuals: slopes.rows(0, m).into_owned(),
             forces: slopes.rows(m + m * n, n).into_owned(),
             motions: motions.columns(0, n).into_owned(),
+            work: Vector::from_vec(work[..n].to_vec()),
         };
-        let multipliers = Vector::from_column_slice(&inputs[count(layout.nodes)..][..m]);
+        let multipliers = Vector::from_column_slice(&inputs[count(layout.nodes)..][..layout.held()]);
         let (found, sizes) = (layout.part(&values), layout.part(&scales));
         Here { inputs, directions, multipliers, results: values, scales, found, sizes, derivative, rubbed }
     }
@@ -260,7 +271,7 @@ impl Form {
             (0..inputs.len()).map(one).collect()
         };
         let degrees = (0..layout.degrees()).map(|degree| (self.motion)(inputs, degree));
-        degrees.chain((0..layout.conditions()).map(multiplier)).collect()
+        degrees.chain((0..layout.held()).map(multiplier)).collect()
     }
 
     /// The derivatives of residuals and forces along a motion of everything, by differences and by automatic
@@ -348,6 +359,14 @@ pub(super) struct Derivatives {
     pub(super) forces: Matrix,
     /// The derivatives of the displacements against which friction acts, with respect to the degrees of freedom.
     motions: Matrix,
+    /// The derivative of the virtual work of the loads with respect to the degrees of freedom.
+    work: Vector,
+}
+
+/// The state of these components.
+fn state<X: Fields<Number>>(components: &[Number]) -> X {
+    let mut rest = components.iter().copied();
+    X::from_components(&mut || rest.next().expect("the state after was computed"))
 }
 
 /// The exact results at a point.
@@ -367,8 +386,11 @@ pub(super) struct Here {
 }
 
 impl Here {
-    /// rowsᵀ λ, and the friction forces against their motions.
+    /// rowsᵀ λ, and the friction forces against their motions; without multipliers, the derivative of the virtual work.
     pub(super) fn work(&self) -> Vector {
+        if self.multipliers.is_empty() {
+            return self.derivative.work.clone();
+        }
         let frictions = Vector::from_iterator(self.rubbed.len(), self.rubbed.iter().map(|rubbed| rubbed.force[1]));
         self.found.rows.transpose() * &self.multipliers - self.derivative.motions.transpose() * frictions
     }

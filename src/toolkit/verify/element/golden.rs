@@ -52,14 +52,14 @@ pub struct ElementFile {
     /// What acts on them.
     #[schemars(length(min = 1))]
     pub forces: Vec<Description>,
-    /// The residuals.
+    /// The residuals; without multipliers, what is reported with its derivative.
     pub residuals: Vec<Description>,
-    /// Their multipliers.
+    /// Their multipliers, if there are any.
     pub multipliers: Vec<Description>,
     /// Where the nodes are, and how they are turned.
     #[schemars(length(min = 1))]
     pub nodes: Vec<Description>,
-    /// What was measured at the start.
+    /// What it needs with and without friction: measurements at the start, or the parameters of a pressure law.
     pub start: Vec<Description>,
     /// How it rubs; a case without these does not.
     pub contact: Vec<Description>,
@@ -103,7 +103,7 @@ pub struct ElementRecord {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Out {
-    /// By how much the conditions are off.
+    /// By how much the conditions are off; without multipliers, what is reported.
     pub residuals: Vec<f64>,
     /// Their derivative by the degrees of freedom.
     pub rows: Vec<Vec<f64>>,
@@ -111,7 +111,7 @@ pub struct Out {
     pub forces: Vec<f64>,
     /// The derivative of the forces by the degrees of freedom.
     pub stiffness: Vec<Vec<f64>>,
-    /// The derivative of the forces by the multipliers.
+    /// The derivative of the forces by the multipliers; its rows are empty if there are none.
     pub by_multipliers: Vec<Vec<f64>>,
     /// The state after the step; absent where it does not rub.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -162,11 +162,13 @@ pub(crate) fn of(element: &ElementSubject) -> ElementFile {
     }
 }
 
-/// All cases of one of `forms` forms; invalid cases are in the file only once, with the most complete form.
+/// All cases of one of `forms` forms; invalid cases are in the file only once, with the most complete form. On a kink the
+/// matrix is that of one side, which another program need not take: such cases are in no file.
 fn of_form<'a>(form: &'a Form, layout: &'a Layout, forms: usize) -> impl Iterator<Item = ElementRecord> + 'a {
     let is_last = form.rubs || forms == 1;
     let all = cases_with(&form.subject, RANDOM);
-    all.into_iter().filter(move |case| is_last || case.flag != Flag::Invalid).map(|case| record(form, layout, &case))
+    let is_shown = move |case: &Case<_>| case.flag != Flag::Kink && (is_last || case.flag != Flag::Invalid);
+    all.into_iter().filter(is_shown).map(|case| record(form, layout, &case))
 }
 
 fn record(form: &Form, layout: &Layout, case: &Case<Vec<f64>>) -> ElementRecord {

@@ -20,7 +20,7 @@ pub(super) struct Laws {
     balance: Claim,
     indifference: Option<Claim>,
     homogeneity: Claim,
-    rank: Claim,
+    rank: Option<Claim>,
     symmetry: Option<Claim>,
     friction: Option<[Claim; 3]>,
     sticks_and_slips: [usize; 2],
@@ -30,15 +30,24 @@ impl Laws {
     pub(super) fn new(element: &ElementSubject) -> Self {
         let claim = |words: &str| Claim::new(words, EXACT);
         let exact_rows = element.forms.iter().all(|form| form.has_exact_rows);
+        let (holds, axial) = (element.layout.held() > 0, element.layout.is_axisymmetric());
         let rubs = element.forms.iter().any(|form| form.rubs);
         Self {
-            balance: claim("forces do no work in a rigid-body motion, and nor do residuals change"),
+            balance: claim(if axial {
+                "forces do no work in a motion along the axis, and nor do residuals change"
+            } else {
+                "forces do no work in a rigid-body motion, and nor do residuals change"
+            }),
             indifference: element.spec.objective.then(|| {
-                claim("frame indifference: where the model is moved and turned, forces and matrix turn with it")
+                claim(if axial {
+                    "frame indifference: where the model is moved along the axis, forces and matrix remain"
+                } else {
+                    "frame indifference: where the model is moved and turned, forces and matrix turn with it"
+                })
             }),
             homogeneity: claim("dimensional homogeneity: other base units only rescale every number"),
-            rank: Claim::new("no condition is held twice: rows are independent", 1.0 / DEPENDENT),
-            symmetry: exact_rows.then(|| {
+            rank: holds.then(|| Claim::new("no condition is held twice: rows are independent", 1.0 / DEPENDENT)),
+            symmetry: (exact_rows && holds).then(|| {
                 claim("without friction K − Kᵀ = −[m×] where a node's own spin works on its moment, 0 elsewhere")
             }),
             friction: rubs.then(|| {
@@ -53,7 +62,8 @@ impl Laws {
     }
 
     pub(super) fn all(self) -> Vec<Claim> {
-        let mut all = vec![self.balance, self.homogeneity, self.rank];
+        let mut all = vec![self.balance, self.homogeneity];
+        all.extend(self.rank);
         all.extend(self.indifference);
         all.extend(self.symmetry);
         if let Some(friction) = self.friction {
@@ -74,10 +84,12 @@ impl Laws {
         self.check_balance(layout, point, held);
         self.check_indifference(layout, form, point, here);
         self.check_homogeneity(layout, form, point, here);
-        let independent = independence(&here.found.rows);
-        self.rank.record(independent.recip(), 1.0 / DEPENDENT, |size| {
-            point.deviation(size, "rows".into(), independent, 1.0)
-        });
+        if let Some(rank) = &mut self.rank {
+            let independent = independence(&here.found.rows);
+            rank.record(independent.recip(), 1.0 / DEPENDENT, |size| {
+                point.deviation(size, "rows".into(), independent, 1.0)
+            });
+        }
         if let Some(claim) = self.symmetry.as_mut().filter(|_| !form.rubs) {
             check_symmetry(claim, layout, point, here);
         }
@@ -198,8 +210,13 @@ fn compare_all(
     }
 }
 
-/// Translations and rotations of the whole model, as values of the degrees of freedom.
+/// Translations and rotations of the whole model, as values of the degrees of freedom; of an axisymmetric model, the
+/// translation along the axis.
 fn rigid_motions(layout: &Layout, inputs: &[Octuple]) -> Vec<Vector> {
+    if layout.is_axisymmetric() {
+        let along = |k: usize, _| if k % 2 == 1 { Octuple::one() } else { Octuple::zero() };
+        return vec![Vector::from_fn(layout.degrees(), along)];
+    }
     let mut places = Vec::new();
     let mut first = 0;
     for field in layout.nodes {

@@ -8,6 +8,8 @@ use crate::connector::slot::{SlotElement, SlotElement2d};
 use crate::connector::translator::TranslatorElement;
 use crate::connector::ujoint::UJointElement;
 use crate::connector::universal::UniversalElement;
+use crate::contact::interaction::{PressureExponential, PressureLinear};
+use crate::contact::slide_line::element::{Isl21aElement, Isl22aElement};
 use crate::formula::element::Parameters;
 use crate::formula::element::{Contribution, Element};
 use crate::formula::error::Error;
@@ -44,6 +46,8 @@ fn every_element_passes() {
         audit_element::<UJointElement, 4, 12>(&FEW),
         audit_element::<SliderElement, 2, 9>(&FEW),
         audit_element::<SliderElement2d, 1, 6>(&FEW),
+        audit_element::<Isl21aElement<PressureLinear>, 1, 12>(&FEW),
+        audit_element::<Isl22aElement<PressureExponential>, 1, 24>(&FEW),
     ] {
         wrong.extend(failed(&audit).into_iter().map(|claim| format!("{}: {claim}", audit.element)));
     }
@@ -69,13 +73,15 @@ enum Mistake {
     FollowsNothing,
     /// Friction has the opposite sign.
     Pushes,
+    /// All forces have the opposite sign, and so do their derivatives.
+    Pulls,
 }
 
 /// An element with a fault, given by its index in the list above.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Wrong<E, const MISTAKE: usize>(PhantomData<E>);
 
-const MISTAKES: [Mistake; 8] = [
+const MISTAKES: [Mistake; 9] = [
     Mistake::Sign,
     Mistake::Transposed,
     Mistake::Symmetrised,
@@ -84,6 +90,7 @@ const MISTAKES: [Mistake; 8] = [
     Mistake::Stick,
     Mistake::FollowsNothing,
     Mistake::Pushes,
+    Mistake::Pulls,
 ];
 
 fn right<E, D: Component, const K: usize, const M: usize, const DOFS: usize>(
@@ -93,6 +100,22 @@ where
     E: Element<M, DOFS>,
 {
     Parameters { start: wrong.start, contact: wrong.contact }
+}
+
+/// A step of the element without the fault.
+fn rightly<E: Element<M, DOFS>, D: Component, const K: usize, const M: usize, const DOFS: usize>(
+    step: Step<Wrong<E, K>, D, M, DOFS>,
+) -> Step<E, D, M, DOFS> {
+    let Step { nodes, multipliers, parameters, before } = step;
+    Step { nodes, multipliers, parameters: right(&parameters), before }
+}
+
+/// A step of the faulty element.
+fn wrong<E: Element<M, DOFS>, D: Component, const K: usize, const M: usize, const DOFS: usize>(
+    step: Step<E, D, M, DOFS>,
+) -> Step<Wrong<E, K>, D, M, DOFS> {
+    let Step { nodes, multipliers, parameters: Parameters { start, contact }, before } = step;
+    Step { nodes, multipliers, parameters: Parameters { start, contact }, before }
 }
 
 impl<E: Element<M, DOFS>, const K: usize, const M: usize, const DOFS: usize> Element<M, DOFS> for Wrong<E, K> {
@@ -123,7 +146,7 @@ impl<E: Element<M, DOFS>, const K: usize, const M: usize, const DOFS: usize> Ele
         let parameters = right(parameters);
         let (mut found, after) = parameters.contribution(nodes, multipliers, before);
         let (smooth, _) = parameters.smooth().contribution(nodes, multipliers, before);
-        // Degrees of freedom for the spin of the first node, in space and in the plane.
+        // Degrees of freedom for the spin of the first node, in space and in the plane; of other nodes on a slide line.
         let spin = if DOFS == 6 { 2..3 } else { 3..6 };
         match MISTAKES[K] {
             Mistake::Sign => found.rows.row_mut(0).neg_mut(),
@@ -147,6 +170,11 @@ impl<E: Element<M, DOFS>, const K: usize, const M: usize, const DOFS: usize> Ele
             Mistake::Stick => found.stiffness += found.stiffness - smooth.stiffness,
             Mistake::FollowsNothing => found.by_multipliers = smooth.by_multipliers,
             Mistake::Pushes => found.forces = smooth.forces * D::from(2.0) - found.forces,
+            Mistake::Pulls => {
+                found.forces.neg_mut();
+                found.stiffness.neg_mut();
+                found.by_multipliers.neg_mut();
+            }
         }
         (found, after)
     }
@@ -158,23 +186,24 @@ impl<E: ProvedElement<M, DOFS>, const K: usize, const M: usize, const DOFS: usiz
     const EXACT_ROWS: bool = E::EXACT_ROWS;
 
     fn cases() -> Vec<Case<Step<Self, f64, M, DOFS>>> {
-        let wrong = |Step { nodes, multipliers, parameters, before }: Step<E, f64, M, DOFS>| {
-            let parameters = Parameters { start: parameters.start, contact: parameters.contact };
-            Step { nodes, multipliers, parameters, before }
-        };
         let cases = E::cases().into_iter().take(10);
         cases.map(|Case { id, flag, comment, inputs }| Case { id, flag, comment, inputs: wrong(inputs) }).collect()
     }
 
+    fn placed(drawn: Step<Self, f64, M, DOFS>) -> Step<Self, f64, M, DOFS> {
+        wrong(E::placed(rightly(drawn)))
+    }
+
     fn held(step: Step<Self, Octuple, M, DOFS>) -> Step<Self, Octuple, M, DOFS> {
-        let Step { nodes, multipliers, parameters, before } = step;
-        let held = E::held(Step { nodes, multipliers, parameters: right(&parameters), before });
-        Step { nodes: held.nodes, multipliers, parameters, before }
+        wrong(E::held(rightly(step)))
+    }
+
+    fn work<D: Scalar>(step: &Step<Self, D, M, DOFS>, after: &Self::State<D>) -> D {
+        E::work(&rightly(*step), after)
     }
 
     fn rubbed<D: Scalar>(step: &Step<Self, D, M, DOFS>, after: &Self::State<D>) -> Vec<Rubbed<D>> {
-        let Step { nodes, multipliers, parameters, before } = *step;
-        E::rubbed(&Step { nodes, multipliers, parameters: right(&parameters), before }, after)
+        E::rubbed(&rightly(*step), after)
     }
 }
 
@@ -199,11 +228,13 @@ fn unnoticed<E: ProvedElement<M, DOFS>, const M: usize, const DOFS: usize>(
         caught::<E, 5, M, DOFS>(),
         caught::<E, 6, M, DOFS>(),
         caught::<E, 7, M, DOFS>(),
+        caught::<E, 8, M, DOFS>(),
     ];
     let is_one = |mistake: Mistake| match mistake {
-        Mistake::Sign => true,
+        Mistake::Sign | Mistake::Pulls => true,
         Mistake::Transposed | Mistake::Symmetrised => !is_symmetric,
         Mistake::NoMoment => has_moments,
+        Mistake::FollowsNothing => rubs && !E::MULTIPLIERS.is_empty(),
         _ => rubs,
     };
     let missed = MISTAKES.into_iter().zip(found).filter(|(mistake, found)| is_one(*mistake) && found.is_empty());
@@ -222,6 +253,7 @@ fn mistakes_are_caught_in_every_element() {
         unnoticed::<UJointElement, 4, 12>(true, false),
         unnoticed::<SliderElement, 2, 9>(false, false),
         unnoticed::<SliderElement2d, 1, 6>(false, true),
+        unnoticed::<Isl21aElement<PressureLinear>, 1, 12>(true, false),
     ]
     .concat();
     assert_eq!(missed, [""; 0]);

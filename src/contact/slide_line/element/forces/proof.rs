@@ -2,11 +2,9 @@
 
 use super::{Linear, LinearForces, LinearLoads, Parabolic, ParabolicForces, ParabolicLoads};
 use crate::Octuple;
-use crate::contact::slide_line::element::rows::{
-    self,
-    proof::{curved_places, equal_vectors, no_parabola, no_segment, straight_places},
+use crate::contact::slide_line::{
+    Basis, Direction, LinearPlace, LinearPoint, LocalBasis, ParabolicPlace, ParabolicPoint, check_tangent,
 };
-use crate::contact::slide_line::{LinearPlace, LinearPoint, ParabolicPlace, ParabolicPoint, left};
 use crate::formula::Formula;
 use crate::formula::proof::{Case, Equation, Law, Proved, law};
 use crate::number::scalar::abs;
@@ -14,6 +12,38 @@ use nalgebra::Vector2;
 use num_traits::Zero;
 
 type Vector = Vector2<Octuple>;
+
+/// The cases of points on straight segments.
+fn straight_places() -> Vec<Case<LinearPlace<f64>>> {
+    let mut cases = LinearPoint::cases();
+    cases.retain(|case| case.inputs.x1 != case.inputs.x2);
+    cases
+}
+
+/// The cases of points on parabolas that have a tangent there.
+fn curved_places() -> Vec<Case<ParabolicPlace<f64>>> {
+    let mut cases = ParabolicPoint::cases();
+    cases.retain(|Case { inputs: i, .. }| check_tangent([i.x1, i.x2, i.x3], i.g).is_ok());
+    let [x1, x2, x3] = [[-0.1, 0.002], [1.0, -28000.0], [4.75, 0.001]].map(Vector2::from);
+    let far = ParabolicPlace { x1, x2, x3, g: -0.0055 };
+    cases.push(Case::hard("far-midside", "far from a short chord: Nᵢ′ t and Nᵢ t′ are nearly opposite", far));
+    cases
+}
+
+/// A point on a segment of zero length.
+fn no_segment() -> Case<LinearPlace<f64>> {
+    let x = Vector2::new(1.0, 2.0);
+    Case::invalid("coincident", "both nodes at one place", LinearPlace { x1: x, x2: x, g: 0.0 })
+}
+
+/// Points on parabolas without a tangent there.
+fn no_parabola() -> [Case<ParabolicPlace<f64>>; 2] {
+    let [x1, x2, x3] = [[1.0, 2.0], [2.0, 4.0], [5.0, 10.0]].map(Vector2::from);
+    [
+        Case::invalid("coincident", "two nodes at one place", ParabolicPlace { x1, x2: x1, x3, g: 0.5 }),
+        Case::invalid("quarter-point-end", "X' = 0", ParabolicPlace { x1, x2, x3, g: -1.0 }),
+    ]
+}
 
 fn straight(case: Case<LinearPlace<f64>>) -> Case<LinearLoads<f64>> {
     let LinearPlace { x1, x2, g } = case.inputs;
@@ -29,11 +59,19 @@ impl LinearLoads<Octuple> {
     fn place(&self) -> LinearPlace<Octuple> {
         LinearPlace { x1: self.x1, x2: self.x2, g: self.g }
     }
+
+    fn basis(&self) -> Basis<Octuple> {
+        LocalBasis::eval(&Direction { dx: LinearPoint::eval(&self.place()).dx })
+    }
 }
 
 impl ParabolicLoads<Octuple> {
     fn place(&self) -> ParabolicPlace<Octuple> {
         ParabolicPlace { x1: self.x1, x2: self.x2, x3: self.x3, g: self.g }
+    }
+
+    fn basis(&self) -> Basis<Octuple> {
+        LocalBasis::eval(&Direction { dx: ParabolicPoint::eval(&self.place()).dx })
     }
 }
 
@@ -51,13 +89,29 @@ fn balance<const N: usize>(
     [law::vanish([sum.x, sum.y], force), levers].concat()
 }
 
-/// A S11 times the row of the separation minus A S12 times that of the slip.
-fn worked<const N: usize>(e11: [Vector; N], e12: [Vector; N], [area, s11, s12]: [Octuple; 3]) -> [Vector; N] {
-    std::array::from_fn(|k| (e11[k] * s11 - e12[k] * s12) * area)
+/// Motions of the slave point and of the nodes.
+fn motions<const N: usize>() -> [Vector; N] {
+    [[0.75, -1.25], [2.5, 0.375], [-1.5, 0.625], [0.25, 1.75]].map(|[r, z]| Vector2::new(r.into(), z.into()))[..N]
+        .try_into()
+        .expect("there are four motions")
+}
+
+/// In these motions the work of the forces is that of the loads, of which the relative motion has these parts along n and t.
+fn works<const N: usize>(
+    forces: [Vector; N],
+    motion_of_point: Vector,
+    basis: &Basis<Octuple>,
+    [area, s11, s12]: [Octuple; 3],
+) -> Vec<Equation> {
+    let motions = motions::<N>();
+    let relative = motions[0] - motion_of_point;
+    let work = forces.iter().zip(motions).fold(Octuple::zero(), |work, (f, by)| work + f.dot(&by));
+    let expected = (s11 * basis.n.dot(&relative) - s12 * basis.t.dot(&relative)) * area;
+    law::equal_all_with([(work, expected)], area * (abs(s11) + abs(s12)))
 }
 
 const VIRTUAL_WORK: &str =
-    "they are the rows times what works on them: the area times pressure and shear against the slip";
+    "in any motion they do the work of pressure and shear against the motion relative to the point of the segment";
 const BALANCE: &str =
     "forces along the axis and along the radius balance, and so do moments but for that of the shear at the separation";
 
@@ -81,20 +135,18 @@ impl Proved for Linear {
     fn laws() -> Vec<Law<Self>> {
         vec![
             Law::<Self>::new(VIRTUAL_WORK, |i| {
-                let (forces, rows) = (Self::eval(i), rows::Linear::eval(&i.place()));
-                let e11 = [rows.e11_us, rows.e11_u1, rows.e11_u2];
-                let right = worked(e11, [rows.e12_us, rows.e12_u1, rows.e12_u2], [i.area, i.s11, i.s12]);
-                equal_vectors([forces.fs, forces.f1, forces.f2], right, i.area * (abs(i.s11) + abs(i.s12)))
+                let (LinearForces { fs, f1, f2 }, [_, x1, x2]) = (Self::eval(i), motions());
+                let point = LinearPoint::eval(&LinearPlace { x1, x2, g: i.g }).x;
+                works([fs, f1, f2], point, &i.basis(), [i.area, i.s11, i.s12])
             }),
             Law::<Self>::new(BALANCE, |i| {
                 let (LinearForces { fs, f1, f2 }, separation) = (Self::eval(i), Octuple::from(0.375));
-                let n = rows::Linear::eval(&i.place()).e11_us;
+                let n = i.basis().n;
                 let xs = LinearPoint::eval(&i.place()).x + n * separation;
                 balance([fs, f1, f2], [xs, i.x1, i.x2], [separation, i.area, i.s11, i.s12])
             }),
             Law::<Self>::new("it pushes along the normal and drags along the tangent", |i| {
-                let (fs, n) = (Self::eval(i).fs, rows::Linear::eval(&i.place()).e11_us);
-                let t = -left(n);
+                let (fs, Basis { t, n }) = (Self::eval(i).fs, i.basis());
                 let size = i.area * (abs(i.s11) + abs(i.s12));
                 law::equal_all_with([(fs.dot(&n), i.area * i.s11), (fs.dot(&t), -i.area * i.s12)], size)
             }),
@@ -122,16 +174,13 @@ impl Proved for Parabolic {
     fn laws() -> Vec<Law<Self>> {
         vec![
             Law::<Self>::new(VIRTUAL_WORK, |i| {
-                let (forces, rows) = (Self::eval(i), rows::Parabolic::eval(&i.place()));
-                let e11 = [rows.e11_us, rows.e11_u1, rows.e11_u2, rows.e11_u3];
-                let e12 = [rows.e12_us, rows.e12_u1, rows.e12_u2, rows.e12_u3];
-                let right = worked(e11, e12, [i.area, i.s11, i.s12]);
-                let size = i.area * (abs(i.s11) + abs(i.s12));
-                equal_vectors([forces.fs, forces.f1, forces.f2, forces.f3], right, size)
+                let (ParabolicForces { fs, f1, f2, f3 }, [_, x1, x2, x3]) = (Self::eval(i), motions());
+                let point = ParabolicPoint::eval(&ParabolicPlace { x1, x2, x3, g: i.g }).x;
+                works([fs, f1, f2, f3], point, &i.basis(), [i.area, i.s11, i.s12])
             }),
             Law::<Self>::new(BALANCE, |i| {
                 let (ParabolicForces { fs, f1, f2, f3 }, separation) = (Self::eval(i), Octuple::from(0.375));
-                let n = rows::Parabolic::eval(&i.place()).e11_us;
+                let n = i.basis().n;
                 let xs = ParabolicPoint::eval(&i.place()).x + n * separation;
                 balance([fs, f1, f2, f3], [xs, i.x1, i.x2, i.x3], [separation, i.area, i.s11, i.s12])
             }),
