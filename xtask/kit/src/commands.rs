@@ -17,6 +17,9 @@ const BAD_USAGE: u8 = 2;
 #[derive(Parser)]
 #[command(version, max_term_width = 100)]
 struct Arguments {
+    /// The folder of the project, instead of the one where the command is called or above
+    #[arg(long, global = true, value_name = "FOLDER", value_hint = clap::ValueHint::DirPath)]
+    project: Option<std::path::PathBuf>,
     #[command(subcommand)]
     command: Command,
 }
@@ -54,8 +57,10 @@ fn complete(project: &Project, arguments: &Complete) -> Outcome {
 }
 
 /// Runs the command that the arguments of the program name.
-pub fn main(project: &Project) -> ExitCode {
-    run(project, &command_line(project).get_matches()).unwrap_or_else(|error| {
+pub fn main(project: Project) -> ExitCode {
+    let matches = command_line(&project).get_matches();
+    let found = project.found(matches.get_one("project")).map_err(anyhow::Error::from);
+    found.and_then(|project| run(&project, &matches)).unwrap_or_else(|error| {
         console::error(&format!("{error:#}"));
         if error.is::<Usage>() { ExitCode::from(BAD_USAGE) } else { ExitCode::FAILURE }
     })
@@ -148,7 +153,7 @@ mod tests {
     fn examples_have_a_point_of_the_shortest_formula() {
         let shown =
             |project: &Project| examples(project, "{command} audit --point '{point}'  of {formula}, a {family}");
-        let project = |catalog| Project::new("named", env!("CARGO_MANIFEST_DIR"), catalog).called("joints");
+        let project = |catalog| Project::new("named", env!("CARGO_MANIFEST_DIR"), catalog).called("joints", "joints");
         assert_eq!(
             shown(&project(&[&ClosestLinear, &ContactForce])),
             "joints audit --point '{\"f2\": 1, \"f3\": 1}'   of slot.contact_force, a slot"
