@@ -32,6 +32,7 @@ fn ours(project: Project) -> Project {
         .in_folder("..")
         .measured_by("measured")
         .built_from(SOURCES)
+        .with_permalinks(include_str!("../../book/permalinks.txt"))
         .called("cargo xtask", "jointproof")
         .with_command("scene", scene::run)
         .with_command("tidy", tidy::run)

@@ -91,13 +91,38 @@ fn run(project: &Project, matches: &ArgMatches) -> Outcome {
 fn command_line(project: &Project) -> clap::Command {
     let own = project.extension.commands.iter().map(|(command, _)| command.clone());
     let all = Arguments::command().name(project.command()).bin_name(project.command()).subcommands(own);
-    all.mut_subcommands(|command| match command.get_after_help() {
-        Some(help) => {
-            let help = examples(project, &help.to_string());
-            command.after_help(help)
+    let ids = Ids(project.catalog().iter().map(|formula| formula.spec().id).collect());
+    let completed = |argument: clap::Arg| match argument.get_id().as_str() {
+        "filter" | "formula" | "against" | "id" => argument.value_parser(ids.clone()).hide_possible_values(true),
+        _ => argument,
+    };
+    all.mut_subcommands(|command| {
+        let help = command.get_after_help().map(|help| examples(project, &help.to_string()));
+        let command = command.mut_args(completed);
+        match help {
+            Some(help) => command.after_help(help),
+            None => command,
         }
-        None => command,
     })
+}
+
+/// Identifiers, which a shell completes; any text is accepted, since it may be a pattern.
+#[derive(Clone)]
+struct Ids(Vec<&'static str>);
+
+impl clap::builder::TypedValueParser for Ids {
+    type Value = String;
+    fn parse_ref(
+        &self,
+        command: &clap::Command,
+        argument: Option<&clap::Arg>,
+        value: &std::ffi::OsStr,
+    ) -> Result<String, clap::Error> {
+        clap::builder::StringValueParser::new().parse_ref(command, argument, value)
+    }
+    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = clap::builder::PossibleValue> + '_>> {
+        Some(Box::new(self.0.iter().map(|id| clap::builder::PossibleValue::new(*id))))
+    }
 }
 
 /// Replaces `{command}`, `{family}`, `{formula}` and `{point}` in examples by the project's command and its shortest

@@ -26,6 +26,7 @@ pub struct Project {
     root: PathBuf,
     place: Place,
     sources: Option<u64>,
+    permalinks: &'static str,
     catalog: Catalog,
     elements: Elements,
     pub(crate) extension: Extension,
@@ -81,6 +82,7 @@ impl Project {
             root: folder.to_path_buf(),
             place: Place::Given,
             sources: None,
+            permalinks: "",
             catalog,
             elements: &[],
             extension: Extension::default(),
@@ -110,6 +112,12 @@ impl Project {
     #[must_use]
     pub fn built_from(self, sources: u64) -> Self {
         Self { sources: Some(sources), ..self }
+    }
+
+    /// Sets the list of addresses of the book, `book/permalinks.txt`, so that an identifier that was once used leads to the new one.
+    #[must_use]
+    pub fn with_permalinks(self, permalinks: &'static str) -> Self {
+        Self { permalinks, ..self }
     }
 
     /// The project in this folder, or else in the one where the command was called or above.
@@ -205,6 +213,36 @@ impl Project {
     /// The formula with this identifier.
     pub fn find(&self, id: &str) -> Option<&'static dyn AnyFormula> {
         self.catalog.iter().copied().find(|formula| formula.spec().id == id)
+    }
+
+    /// The formula with the identifier given as an argument of this option.
+    ///
+    /// # Errors
+    /// If there is none, with what may be meant.
+    pub(crate) fn named(&self, option: &str, id: &str) -> Result<&'static dyn AnyFormula, Usage> {
+        self.find(id).ok_or_else(|| Usage(format!("{option} '{id}' is no formula; {}", self.instead_of(id))))
+    }
+
+    /// What may be meant by an identifier that is not in the catalog, and how all are listed.
+    pub(crate) fn instead_of(&self, id: &str) -> String {
+        let ids = self.catalog.iter().map(|formula| formula.spec().id);
+        let ids: Vec<_> = ids.chain(self.elements.iter().map(|element| element.spec().id)).collect();
+        let renamed = self.permalinks.lines().filter_map(|line| line.split_once(" -> ")).find(|(old, _)| *old == id);
+        let mut near: Vec<_> = ids.iter().map(|known| (strsim::osa_distance(known, id), *known)).collect();
+        near.sort_unstable();
+        let near: Vec<_> =
+            near.iter().take(3).filter(|(far, _)| *far <= id.len() / 3).map(|(_, known)| *known).collect();
+        let meant = match renamed {
+            Some((_, new)) => format!("it is now {new}"),
+            None if near.is_empty() => {
+                let mut families: Vec<_> = ids.iter().filter_map(|id| id.split('.').next()).collect();
+                families.sort_unstable();
+                families.dedup();
+                format!("families are {}", families.join(", "))
+            }
+            None => format!("did you mean {}?", near.join(" or ")),
+        };
+        format!("{meant}\n  `{} formulas` lists all", self.command)
     }
 
     /// The folder of the golden files.
