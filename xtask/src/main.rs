@@ -15,8 +15,14 @@ use kit::Project;
 use kit::{Outcome, console, files};
 use std::process::ExitCode;
 
+/// What the sources of the formulas were when they were compiled.
+const SOURCES: u64 = match u64::from_str_radix(env!("SOURCES"), 10) {
+    Ok(sources) => sources,
+    Err(_) => 0,
+};
+
 fn main() -> ExitCode {
-    kit::main(&ours(Project::new("jointproof", env!("CARGO_MANIFEST_DIR"), CATALOG)))
+    kit::main(ours(Project::new("jointproof", env!("CARGO_MANIFEST_DIR"), CATALOG)))
 }
 
 /// Adds the parts of the repository besides formulas.
@@ -25,7 +31,9 @@ fn ours(project: Project) -> Project {
         .with_elements(ELEMENTS)
         .in_folder("..")
         .measured_by("measured")
-        .called(if is_installed() { "jointproof" } else { "cargo xtask" })
+        .built_from(SOURCES)
+        .with_permalinks(include_str!("../../book/permalinks.txt"))
+        .called("cargo xtask", "jointproof")
         .with_command("scene", scene::run)
         .with_command("tidy", tidy::run)
         .with_golden("scenes", scene::golden)
@@ -33,11 +41,6 @@ fn ours(project: Project) -> Project {
         .with_reach(tidy::reach)
         .with_extras(extras::all)
         .with_requirement("an independent implementation", has_oracle, "`@formula(…)` in tests/python/oracle")
-}
-
-/// Whether this program runs directly rather than through cargo.
-fn is_installed() -> bool {
-    std::env::var_os("CARGO").is_none()
 }
 
 /// Whether the independent Python implementation has this formula; copies of the repository without it are not checked.

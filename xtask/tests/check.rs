@@ -184,7 +184,7 @@ fn bad_usage_is_told() {
     let bench = Bench::new();
     bench
         .run(&["check", "--formula", "slot.frictoin", "--", "cat"])
-        .bad_usage("'slot.frictoin' is no formula; there are");
+        .bad_usage("'slot.frictoin' is no formula; did you mean slot.friction?");
     bench.run(&["check", "--formula", ID, "--", "./no-such-program"]).bad_usage("./no-such-program cannot be started");
     bench.run(&["check", "--formula", ID]).bad_usage("PROGRAM");
     bench.run(&["check", "--formula", ID, "--limit", "0", "--", "cat"]).bad_usage("--limit");

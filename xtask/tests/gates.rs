@@ -17,7 +17,7 @@ const IS_PROJECT: &str = "JOINTPROOF_TEST_IS_PROJECT";
 
 fn main() -> ExitCode {
     if std::env::var_os(IS_PROJECT).is_some() {
-        return kit::main(&project());
+        return kit::main(project());
     }
     // Listing or filtering tests runs none of these.
     if std::env::args().len() == 1 {

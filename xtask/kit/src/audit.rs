@@ -81,6 +81,7 @@ enum Format {
 }
 
 pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
+    project.needs_sources("audit")?;
     let (mut formulas, chosen) = arguments.selection.formulas_and_elements(project)?;
     if let Some(revision) = &arguments.since {
         formulas = touched(project, &formulas, revision)?;

@@ -17,6 +17,9 @@ const BAD_USAGE: u8 = 2;
 #[derive(Parser)]
 #[command(version, max_term_width = 100)]
 struct Arguments {
+    /// The folder of the project, instead of the one where the command is called or above
+    #[arg(long, global = true, value_name = "FOLDER", value_hint = clap::ValueHint::DirPath)]
+    project: Option<std::path::PathBuf>,
     #[command(subcommand)]
     command: Command,
 }
@@ -54,8 +57,10 @@ fn complete(project: &Project, arguments: &Complete) -> Outcome {
 }
 
 /// Runs the command that the arguments of the program name.
-pub fn main(project: &Project) -> ExitCode {
-    run(project, &command_line(project).get_matches()).unwrap_or_else(|error| {
+pub fn main(project: Project) -> ExitCode {
+    let matches = command_line(&project).get_matches();
+    let found = project.found(matches.get_one("project")).map_err(anyhow::Error::from);
+    found.and_then(|project| run(&project, &matches)).unwrap_or_else(|error| {
         console::error(&format!("{error:#}"));
         if error.is::<Usage>() { ExitCode::from(BAD_USAGE) } else { ExitCode::FAILURE }
     })
@@ -86,13 +91,38 @@ fn run(project: &Project, matches: &ArgMatches) -> Outcome {
 fn command_line(project: &Project) -> clap::Command {
     let own = project.extension.commands.iter().map(|(command, _)| command.clone());
     let all = Arguments::command().name(project.command()).bin_name(project.command()).subcommands(own);
-    all.mut_subcommands(|command| match command.get_after_help() {
-        Some(help) => {
-            let help = examples(project, &help.to_string());
-            command.after_help(help)
+    let ids = Ids(project.catalog().iter().map(|formula| formula.spec().id).collect());
+    let completed = |argument: clap::Arg| match argument.get_id().as_str() {
+        "filter" | "formula" | "against" | "id" => argument.value_parser(ids.clone()).hide_possible_values(true),
+        _ => argument,
+    };
+    all.mut_subcommands(|command| {
+        let help = command.get_after_help().map(|help| examples(project, &help.to_string()));
+        let command = command.mut_args(completed);
+        match help {
+            Some(help) => command.after_help(help),
+            None => command,
         }
-        None => command,
     })
+}
+
+/// Identifiers, which a shell completes; any text is accepted, since it may be a pattern.
+#[derive(Clone)]
+struct Ids(Vec<&'static str>);
+
+impl clap::builder::TypedValueParser for Ids {
+    type Value = String;
+    fn parse_ref(
+        &self,
+        command: &clap::Command,
+        argument: Option<&clap::Arg>,
+        value: &std::ffi::OsStr,
+    ) -> Result<String, clap::Error> {
+        clap::builder::StringValueParser::new().parse_ref(command, argument, value)
+    }
+    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = clap::builder::PossibleValue> + '_>> {
+        Some(Box::new(self.0.iter().map(|id| clap::builder::PossibleValue::new(*id))))
+    }
 }
 
 /// Replaces `{command}`, `{family}`, `{formula}` and `{point}` in examples by the project's command and its shortest
@@ -148,7 +178,7 @@ mod tests {
     fn examples_have_a_point_of_the_shortest_formula() {
         let shown =
             |project: &Project| examples(project, "{command} audit --point '{point}'  of {formula}, a {family}");
-        let project = |catalog| Project::new("named", env!("CARGO_MANIFEST_DIR"), catalog).called("joints");
+        let project = |catalog| Project::new("named", env!("CARGO_MANIFEST_DIR"), catalog).called("joints", "joints");
         assert_eq!(
             shown(&project(&[&ClosestLinear, &ContactForce])),
             "joints audit --point '{\"f2\": 1, \"f3\": 1}'   of slot.contact_force, a slot"

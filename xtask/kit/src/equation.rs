@@ -5,7 +5,6 @@ use crate::console::{count, figure, green, print, red};
 use crate::outcome::{Outcome, Usage, verdict};
 use crate::project::Project;
 use crate::prose;
-use jointproof::catalog::AnyFormula;
 use jointproof::formula::Field;
 use jointproof::toolkit::equation::Equation;
 use jointproof::toolkit::verify::{Claim, Deviation, Options};
@@ -52,7 +51,7 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     let (Some(latex), Some(against)) = (&arguments.latex, &arguments.against) else {
         return all(project, &options);
     };
-    let formula = formula(project, against)?;
+    let formula = project.named("--against", against)?;
     let (inputs, outputs) = (formula.inputs(), formula.outputs());
     check_names(&arguments.renamed, inputs, outputs)?;
     let renamed: Vec<_> = arguments.renamed.iter().map(|(symbol, name)| (symbol.as_str(), name.as_str())).collect();
@@ -92,14 +91,6 @@ fn all(project: &Project, options: &Options) -> Outcome {
         times[1]
     ))?;
     Ok(verdict(off.is_empty()))
-}
-
-fn formula(project: &Project, id: &str) -> anyhow::Result<&'static dyn AnyFormula> {
-    let found = project.catalog().iter().copied().find(|formula| formula.spec().id == id);
-    found.ok_or_else(|| {
-        let ids: Vec<_> = project.catalog().iter().map(|formula| formula.spec().id).collect();
-        Usage(format!("--against '{id}' is no formula; there are\n  {}", ids.join("\n  "))).into()
-    })
 }
 
 fn check_names(renamed: &[(String, String)], inputs: &[Field], outputs: &[Field]) -> anyhow::Result<()> {

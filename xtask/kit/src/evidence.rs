@@ -5,6 +5,7 @@
 
 use crate::files;
 use crate::project::Project;
+use crate::sources::hash;
 use jointproof::toolkit::verify::{Audit, Options};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -73,11 +74,8 @@ impl Evidence {
         self.audits
     }
 
-    /// Saves the evidence if the project's folder still exists: an installed program may have outlived it.
+    /// Saves the evidence.
     pub(crate) fn save(&self, project: &Project) -> anyhow::Result<()> {
-        if !project.root().exists() {
-            return Ok(());
-        }
         files::write(&path(project), &serde_json::to_string_pretty(self)?).map(drop)
     }
 }
@@ -121,7 +119,7 @@ fn fingerprints(project: &Project) -> BTreeMap<String, u64> {
     let mut of_file = |file: &PathBuf| {
         *known.entry(file.clone()).or_insert_with(|| {
             let mut hasher = DefaultHasher::new();
-            add(project.root(), file, &mut hasher);
+            hash(project.root(), file, &mut hasher);
             hasher.finish()
         })
     };
@@ -139,7 +137,7 @@ fn fingerprints(project: &Project) -> BTreeMap<String, u64> {
 pub(crate) fn fingerprint(project: &Project) -> u64 {
     let mut hasher = DefaultHasher::new();
     for directory in ["src", "golden"] {
-        add(project.root(), Path::new(directory), &mut hasher);
+        hash(project.root(), Path::new(directory), &mut hasher);
     }
     hasher.finish()
 }
@@ -149,20 +147,6 @@ fn program() -> Option<&'static str> {
     static PROGRAM: LazyLock<Option<String>> =
         LazyLock::new(|| std::fs::read(std::env::current_exe().ok()?).ok().map(files::digest));
     PROGRAM.as_deref()
-}
-
-/// Hashes a file, or everything in a folder, with paths relative to the root, so that the result does not depend on its location.
-fn add(root: &Path, path: &Path, hasher: &mut impl Hasher) {
-    if let Ok(entries) = std::fs::read_dir(root.join(path)) {
-        let mut paths: Vec<_> = entries.flatten().map(|entry| path.join(entry.file_name())).collect();
-        paths.sort();
-        for path in paths {
-            add(root, &path, hasher);
-        }
-    } else {
-        hasher.write(path.to_string_lossy().as_bytes());
-        hasher.write(&std::fs::read(root.join(path)).unwrap_or_default());
-    }
 }
 
 #[cfg(test)]

@@ -13,9 +13,12 @@ use jointproof::formula::Field;
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   {command} formulas                               all of them
-  {command} formulas --filter '{family}.*'         of a family
-  {command} formulas --filter {formula} --show     in full")]
+  {command} formulas '{family}.*'         of a family
+  {command} formulas --show {formula}     in full")]
 pub(crate) struct Arguments {
+    /// Only formulas whose identifier matches this pattern; `*` matches anything
+    #[arg(value_name = "GLOB", conflicts_with = "filter")]
+    id: Option<String>,
     #[command(flatten)]
     selection: Selection,
     /// Show all details
@@ -24,7 +27,10 @@ pub(crate) struct Arguments {
 }
 
 pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
-    let formulas = arguments.selection.formulas(project)?;
+    let formulas = match &arguments.id {
+        Some(id) => Selection::of(id).formulas(project)?,
+        None => arguments.selection.formulas(project)?,
+    };
     let width = formulas.iter().map(|formula| formula.spec().id.len()).max().unwrap_or_default();
     let line = |formula: &&dyn AnyFormula| format!("{:width$}  {}\n", formula.spec().id, formula.spec().title);
     let text: Vec<_> = if arguments.show {

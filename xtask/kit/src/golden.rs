@@ -56,7 +56,7 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
         print(&write_into(folder, project, &arguments.selection, least_random)?)?;
         return Ok(verdict(true));
     }
-    project.needs_repository("golden", ", or take --out FOLDER, which writes the files elsewhere")?;
+    project.needs_sources("golden")?;
     let (formulas, _) = arguments.selection.formulas_and_elements(project)?;
     if !arguments.check {
         let written = write(project, &arguments.selection)?;

@@ -8,7 +8,7 @@
 //! # use jointproof::catalog::CATALOG;
 //!
 //! fn main() -> ExitCode {
-//!     kit::main(&Project::new(env!("CARGO_PKG_NAME"), env!("CARGO_MANIFEST_DIR"), CATALOG))
+//!     kit::main(Project::new(env!("CARGO_PKG_NAME"), env!("CARGO_MANIFEST_DIR"), CATALOG))
 //! }
 //! ```
 //!
@@ -40,6 +40,7 @@ mod review;
 mod sample;
 mod selection;
 mod since;
+pub mod sources;
 mod verify;
 
 pub use book::{Fault, listing_page, uncovered};

@@ -98,7 +98,7 @@ pub(crate) fn requirements(project: &Project) -> Vec<Requirement> {
 /// The unmet requirements of these formulas, one block per formula; empty if there are none. Without the repository
 /// they cannot be checked, and the result is empty too.
 pub(crate) fn missing(project: &Project, formulas: &[&dyn AnyFormula]) -> anyhow::Result<Vec<String>> {
-    if !project.root().exists() {
+    if !project.is_here() {
         return Ok(Vec::new());
     }
     let requirements = requirements(project);

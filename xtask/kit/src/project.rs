@@ -20,12 +20,27 @@ pub type Elements = &'static [&'static dyn AnyElement];
 pub struct Project {
     name: &'static str,
     command: &'static str,
+    by_cargo: &'static str,
     folder: PathBuf,
     measured: Option<PathBuf>,
     root: PathBuf,
+    place: Place,
+    sources: Option<u64>,
+    permalinks: &'static str,
     catalog: Catalog,
     elements: Elements,
     pub(crate) extension: Extension,
+}
+
+/// How the folder of a project was found.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Place {
+    /// It is the package's own, or a copy that a test made and changed.
+    Given,
+    /// The command was called in it, or it was named.
+    Found,
+    /// There is none where the command was called.
+    Nowhere,
 }
 
 /// A project's extensions of the commands.
@@ -56,16 +71,18 @@ pub type Check = fn(&Project) -> anyhow::Result<(bool, String)>;
 
 impl Project {
     /// The project of a package: `Project::new(env!("CARGO_PKG_NAME"), env!("CARGO_MANIFEST_DIR"), CATALOG)`.
-    ///
-    /// The environment variable `JOINTPROOF_ROOT` lets the commands work on a copy of its folder.
     pub fn new(name: &'static str, manifest_dir: &'static str, catalog: Catalog) -> Self {
         let folder = Path::new(manifest_dir);
         Self {
             name,
             command: "cargo run --",
+            by_cargo: "cargo run --",
             folder: folder.to_path_buf(),
             measured: None,
-            root: root_or(folder.to_path_buf()),
+            root: folder.to_path_buf(),
+            place: Place::Given,
+            sources: None,
+            permalinks: "",
             catalog,
             elements: &[],
             extension: Extension::default(),
@@ -81,13 +98,66 @@ impl Project {
     /// Puts sources, golden files and book in this folder, relative to the package's own, as `..`, instead of the package's own.
     #[must_use]
     pub fn in_folder(self, relative: &str) -> Self {
-        Self { root: root_or(self.beside(relative)), ..self }
+        Self { root: self.beside(relative), ..self }
     }
 
     /// Sets the package, in this folder relative to the package's own, whose program `report` builds and times.
     #[must_use]
     pub fn measured_by(self, relative: &str) -> Self {
         Self { measured: Some(self.beside(relative)), ..self }
+    }
+
+    /// Sets what the [sources](crate::sources) of the formulas were when they were compiled. Without it, only a program that cargo
+    /// has just built judges them.
+    #[must_use]
+    pub fn built_from(self, sources: u64) -> Self {
+        Self { sources: Some(sources), ..self }
+    }
+
+    /// Sets the list of addresses of the book, `book/permalinks.txt`, so that an identifier that was once used leads to the new one.
+    #[must_use]
+    pub fn with_permalinks(self, permalinks: &'static str) -> Self {
+        Self { permalinks, ..self }
+    }
+
+    /// The project in this folder, or else in the one where the command was called or above.
+    ///
+    /// # Errors
+    /// If the folder is not that of this project.
+    pub(crate) fn found(self, named: Option<&PathBuf>) -> Result<Self, Usage> {
+        if let Some(copy) = std::env::var_os("JOINTPROOF_ROOT") {
+            return Ok(Self { root: copy.into(), ..self });
+        }
+        if let Some(folder) = named {
+            if !self.is_in(folder) {
+                let (name, folder) = (self.name, folder.display());
+                return Err(Usage(format!(
+                    "{folder} is not the folder of {name}: its Cargo.toml does not name that package"
+                )));
+            }
+            let folder = std::path::absolute(folder).unwrap_or_else(|_| folder.clone());
+            return Ok(self.moved(folder, Place::Found));
+        }
+        let here = std::env::current_dir().unwrap_or_default();
+        Ok(match here.ancestors().find(|folder| self.is_in(folder)) {
+            Some(root) => self.moved(root.to_path_buf(), Place::Found),
+            None => self.moved(here, Place::Nowhere),
+        })
+    }
+
+    /// The same project in another folder.
+    fn moved(self, root: PathBuf, place: Place) -> Self {
+        let moved =
+            |folder: &PathBuf| folder.strip_prefix(&self.root).map_or_else(|_| folder.clone(), |part| root.join(part));
+        Self { measured: self.measured.as_ref().map(moved), root, place, ..self }
+    }
+
+    /// Whether the manifest in this folder is that of the project.
+    fn is_in(&self, folder: &Path) -> bool {
+        let manifest = std::fs::read_to_string(folder.join("Cargo.toml")).unwrap_or_default();
+        let package = manifest.split("[package]").nth(1).unwrap_or_default();
+        let name = package.lines().find_map(|line| line.strip_prefix("name")?.trim_start().strip_prefix('='));
+        name.is_some_and(|name| name.trim().trim_matches('"') == self.name)
     }
 
     /// A folder relative to the package's own, without `..` in its path.
@@ -103,10 +173,11 @@ impl Project {
         folder
     }
 
-    /// Sets the command named in help and messages, instead of `cargo run --`.
+    /// Sets the command named in help and messages, instead of `cargo run --`: by cargo, and the name of the installed program.
     #[must_use]
-    pub fn called(self, command: &'static str) -> Self {
-        Self { command, ..self }
+    pub fn called(self, by_cargo: &'static str, installed: &'static str) -> Self {
+        let command = if std::env::var_os("CARGO").is_some() { by_cargo } else { installed };
+        Self { command, by_cargo, ..self }
     }
 
     /// The name, under which reports and evidence are kept.
@@ -144,6 +215,36 @@ impl Project {
         self.catalog.iter().copied().find(|formula| formula.spec().id == id)
     }
 
+    /// The formula with the identifier given as an argument of this option.
+    ///
+    /// # Errors
+    /// If there is none, with what may be meant.
+    pub(crate) fn named(&self, option: &str, id: &str) -> Result<&'static dyn AnyFormula, Usage> {
+        self.find(id).ok_or_else(|| Usage(format!("{option} '{id}' is no formula; {}", self.instead_of(id))))
+    }
+
+    /// What may be meant by an identifier that is not in the catalog, and how all are listed.
+    pub(crate) fn instead_of(&self, id: &str) -> String {
+        let ids = self.catalog.iter().map(|formula| formula.spec().id);
+        let ids: Vec<_> = ids.chain(self.elements.iter().map(|element| element.spec().id)).collect();
+        let renamed = self.permalinks.lines().filter_map(|line| line.split_once(" -> ")).find(|(old, _)| *old == id);
+        let mut near: Vec<_> = ids.iter().map(|known| (strsim::osa_distance(known, id), *known)).collect();
+        near.sort_unstable();
+        let near: Vec<_> =
+            near.iter().take(3).filter(|(far, _)| *far <= id.len() / 3).map(|(_, known)| *known).collect();
+        let meant = match renamed {
+            Some((_, new)) => format!("it is now {new}"),
+            None if near.is_empty() => {
+                let mut families: Vec<_> = ids.iter().filter_map(|id| id.split('.').next()).collect();
+                families.sort_unstable();
+                families.dedup();
+                format!("families are {}", families.join(", "))
+            }
+            None => format!("did you mean {}?", near.join(" or ")),
+        };
+        format!("{meant}\n  `{} formulas` lists all", self.command)
+    }
+
     /// The folder of the golden files.
     pub fn golden(&self) -> PathBuf {
         self.root.join("golden")
@@ -174,18 +275,44 @@ impl Project {
         path.strip_prefix(&self.root).unwrap_or(path).display().to_string()
     }
 
-    /// Checks that the folder of the project exists, for a command that needs it: an installed command may have outlived it.
+    /// Whether the command was called in the project, or on it.
+    pub(crate) fn is_here(&self) -> bool {
+        self.place != Place::Nowhere
+    }
+
+    /// Checks that there is a project, for a command that needs one.
     ///
     /// # Errors
-    /// If it does not exist, with advice what to do instead.
-    pub fn needs_repository(&self, command: &str, instead: &str) -> Result<(), Usage> {
-        if self.root.exists() {
+    /// If there is none, with advice what to do instead.
+    pub fn needs_project(&self, command: &str) -> Result<(), Usage> {
+        if self.is_here() {
             return Ok(());
         }
-        let root = self.root.display();
+        let (name, here) = (self.name, self.root.display());
         Err(Usage(format!(
-            "{command} works on the repository, and {root} is not there; say where it is by JOINTPROOF_ROOT{instead}"
+            "{command} works on the project {name}, and neither {here} nor a folder above it is its folder; go there, or name it by \
+             --project. These need no project: check, equation, export, formulas, scene, golden --out"
         )))
+    }
+
+    /// Checks that there is a project whose sources are those that this program was built from, for a command that judges them.
+    ///
+    /// # Errors
+    /// If there is none, or it has other sources, with the command to use there.
+    pub fn needs_sources(&self, command: &str) -> Result<(), Usage> {
+        self.needs_project(command)?;
+        let folder = self.root.display();
+        let fresh = || std::env::var_os("CARGO_MANIFEST_DIR").is_some_and(|folder| Path::new(&folder) == self.folder);
+        match self.sources {
+            _ if self.place == Place::Given => Ok(()),
+            Some(sources) if sources == crate::sources::sources(&self.root) => Ok(()),
+            None if fresh() => Ok(()),
+            _ => Err(Usage(format!(
+                "this program was built from other sources than those in {folder}, so that it cannot judge them; there, use \
+                 `{} {command}`",
+                self.by_cargo
+            ))),
+        }
     }
 
     /// Adds a command. Its arguments are derived by clap, and its examples refer to it as `{command} NAME …`.
@@ -236,9 +363,4 @@ impl Project {
         self.extension.extras = Some(extras);
         self
     }
-}
-
-/// The folder of a project, unless commands are to work on a copy.
-fn root_or(folder: PathBuf) -> PathBuf {
-    std::env::var_os("JOINTPROOF_ROOT").map_or(folder, PathBuf::from)
 }

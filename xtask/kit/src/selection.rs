@@ -21,6 +21,11 @@ impl Selection {
     /// Every formula.
     pub(crate) const ALL: Self = Self { filter: None };
 
+    /// The formulas whose identifier matches this pattern.
+    pub(crate) fn of(pattern: &str) -> Self {
+        Self { filter: Some(pattern.to_owned()) }
+    }
+
     /// Whether nothing is filtered out.
     pub(crate) fn is_all(&self) -> bool {
         self.filter.is_none()
@@ -33,11 +38,7 @@ impl Selection {
         let is_asked = self.is_asked()?;
         let selected: Vec<_> = catalog.iter().copied().filter(|formula| is_asked(formula.spec().id)).collect();
         if selected.is_empty() {
-            let elements = project.elements().iter().map(|element| element.spec().id);
-            let ids: Vec<_> = catalog.iter().map(|formula| formula.spec().id).chain(elements).collect();
-            return Err(
-                Usage(format!("--filter '{filter}' matches no formula; there are\n  {}", ids.join("\n  "))).into()
-            );
+            return Err(Usage(format!("--filter '{filter}' matches no formula; {}", project.instead_of(filter))).into());
         }
         Ok(selected)
     }

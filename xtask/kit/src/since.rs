@@ -15,7 +15,6 @@ pub(crate) fn touched<'a>(
     formulas: &[&'a dyn AnyFormula],
     revision: &str,
 ) -> anyhow::Result<Vec<&'a dyn AnyFormula>> {
-    project.needs_repository("audit --since", "")?;
     let changed = changed(project, revision)?;
     let reach = evidence::reach(project);
     let files = |formula: &dyn AnyFormula| reach.as_ref().and_then(|reach| reach.get(formula.spec().id));

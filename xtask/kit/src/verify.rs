@@ -38,7 +38,7 @@ struct Step {
 }
 
 pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
-    project.needs_repository("verify", "")?;
+    project.needs_sources("verify")?;
     let mut steps = vec![step("missing", || check_missing(project))?];
     steps.push(step("golden", || Ok(outcome(project, golden::check(project, &Selection::ALL)?)))?);
     if let Some((name, beside)) = project.extension.beside {

@@ -76,7 +76,7 @@ enum Rule {
 }
 
 pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
-    project.needs_repository("tidy", "")?;
+    project.needs_project("tidy")?;
     let ids: Vec<&str> = project.catalog().iter().map(|formula| formula.spec().id).collect();
     let tidiness = check(project.root(), &ids, &arguments.rules)?;
     print(&tidiness.text())?;

@@ -6,6 +6,6 @@ use std::process::ExitCode;
 
 fn main() -> ExitCode {
     kit::main(
-        &Project::new("contact-heat", env!("CARGO_MANIFEST_DIR"), CATALOG).in_folder("..").measured_by("../measured"),
+        Project::new("contact-heat", env!("CARGO_MANIFEST_DIR"), CATALOG).in_folder("..").measured_by("../measured"),
     )
 }

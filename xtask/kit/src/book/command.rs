@@ -48,7 +48,7 @@ pub(crate) struct Arguments {
 }
 
 pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
-    project.needs_repository("book", "")?;
+    project.needs_sources("book")?;
     let report = if arguments.unmeasured { Report::kept(project) } else { Some(report::kept_or_quick(project)?) };
     let summary = build_book(project, arguments.out.clone(), report)?;
     console::print(&format!("{}\n", project.shown(&summary.index)))?;

@@ -126,7 +126,7 @@ impl Arguments {
 }
 
 pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
-    let formula = formula(project, &arguments.formula)?;
+    let formula = project.named("--formula", &arguments.formula)?;
     if let Some(lang) = arguments.driver {
         print(&driver(formula, arguments, lang)?)?;
         return Ok(verdict(true));
@@ -196,13 +196,6 @@ fn driver(formula: &'static dyn AnyFormula, arguments: &Arguments, lang: Lang) -
     let driver = driver.ok_or_else(|| Usage("--driver is for a value or a Jacobian, not for products".into()))?;
     let text = driver::text(&driver, lang);
     Ok(text.ok_or_else(|| Usage("--exported: nothing is exported to this language".into()))?)
-}
-
-fn formula(project: &Project, id: &str) -> anyhow::Result<&'static dyn AnyFormula> {
-    project.find(id).ok_or_else(|| {
-        let ids: Vec<_> = project.catalog().iter().map(|formula| formula.spec().id).collect();
-        Usage(format!("--formula '{id}' is no formula; there are\n  {}", ids.join("\n  "))).into()
-    })
 }
 
 fn asked(formula: &dyn AnyFormula, arguments: &Arguments) -> anyhow::Result<Vec<Question>> {

@@ -30,7 +30,7 @@ pub(crate) struct Arguments {
 type Change = (PathBuf, String);
 
 pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
-    project.needs_repository("new", "")?;
+    project.needs_project("new")?;
     let id = arguments.id.as_str();
     let (family, name) = split(project, id)?;
     let mut report = String::new();

@@ -93,7 +93,7 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
         print(&serde_json::to_string_pretty(&schemars::schema_for!(Report))?)?;
         return Ok(verdict(true));
     }
-    project.needs_repository("report", "")?;
+    project.needs_sources("report")?;
     let formulas = arguments.selection.formulas(project)?;
     let old = arguments.against.as_deref().map(Report::read).transpose()?;
     let options = arguments.options();
