@@ -210,6 +210,9 @@ impl Leaf for Traced {
         let unit = Self(self.0.unary(Unary::PowerOfTwo));
         [unit, Self(function::recip(unit.0))]
     }
+    fn nearest_integer_of(x: Self) -> Self {
+        Self(x.0.unary(Unary::NearestInteger))
+    }
     fn exact_sum(products: impl IntoIterator<Item = [Self; 4]>) -> Self {
         Self(Place::entered(Op::ExactSum(products.into_iter().map(|product| product.map(Self::node)).collect())))
     }

@@ -131,6 +131,7 @@ pub(super) const NAMES: Names = Names {
         Unary::Exponential => "exp",
         Unary::ExponentialMinusOne => "jp_expm1",
         Unary::PowerOfTwo => "jp_power_of_two",
+        Unary::NearestInteger => "round",
     },
     angle: "jp_angle",
     maximum: "fmax",

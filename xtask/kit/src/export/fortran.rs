@@ -27,6 +27,7 @@ const NAMES: Names = Names {
         Unary::Exponential => "exp",
         Unary::ExponentialMinusOne => "jp_expm1",
         Unary::PowerOfTwo => "jp_power_of_two",
+        Unary::NearestInteger => "anint",
     },
     angle: "jp_angle",
     maximum: "max",
