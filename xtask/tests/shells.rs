@@ -4,6 +4,7 @@
 //! and returns the results as bits.
 
 use crate::common::{Bench, is_here};
+use jointproof::connector::hinge::HingeElement;
 use jointproof::connector::slot::SlotElement;
 use jointproof::connector::translator::TranslatorElement;
 use jointproof::connector::ujoint::UJointElement;
@@ -298,6 +299,15 @@ fn ujoint_has_every_bit_of_rust() {
         let (k_stick1, k_stick3) = (stiffness(numbers), 10_f64.powf(2.0 * numbers.next()));
         let cross: Vec<_> = numbers.some(4).iter().map(|x| x.abs()).collect();
         [start, vec![k_stick1, k_stick3], cross, numbers.some(2), vec![numbers.next().abs()]].concat()
+    });
+}
+
+#[test]
+fn hinge_has_every_bit_of_rust() {
+    compare::<HingeElement, 5>("uel-hinge", |numbers| {
+        let start = numbers.some(6);
+        let positive: Vec<_> = numbers.some(3).iter().map(|x| x.abs()).collect();
+        [start, vec![stiffness(numbers)], positive, vec![numbers.next(), numbers.next().abs()]].concat()
     });
 }
 
