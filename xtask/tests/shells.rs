@@ -260,11 +260,14 @@ fn compare<E: Element<N, Nodes<f64> = Nodes<f64>>, const N: usize>(
         assert_eq!((&stiffness.amatrx, &stiffness.svars), (&found.amatrx, &point.svars));
         let mass = peer.ask(4, &point);
         assert!(mass.rhs.iter().chain(&mass.amatrx).all(|&x| x == 0.0));
-        // If a node has an invalid position, a smaller increment is requested.
-        let mut lost = point.clone();
+        // If a node has an invalid position, or a moment overflows, a smaller increment is requested.
+        let (mut lost, mut strained) = (point.clone(), point.clone());
         lost.u[0] = f64::NAN;
-        let refused = peer.ask(1, &lost);
-        assert_eq!((refused.pnewdt, refused.rhs.iter().all(|&x| x == 0.0)), (0.5, true));
+        strained.coords[1] *= 1e200;
+        strained.u[12] = 1e200;
+        for refused in [lost, strained].map(|point| peer.ask(1, &point)) {
+            assert_eq!((refused.pnewdt, refused.rhs.iter().all(|&x| x == 0.0)), (0.5, true));
+        }
     }
 }
 
