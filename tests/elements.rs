@@ -1,6 +1,7 @@
 //! Connectors as elements, as called by a solver: the inputs that each rejects, and the effects of friction.
 
-use jointproof::catalog::{AnyElement, ELEMENTS};
+use crate::common::golden_of_element;
+use jointproof::catalog::ELEMENTS;
 use jointproof::connector::align::{AlignElement, AlignStart};
 use jointproof::connector::join::{JoinElement, JoinStart};
 use jointproof::connector::slider::{self, SliderElement, SliderElement2d};
@@ -18,7 +19,6 @@ use jointproof::element::offset::Arms;
 use jointproof::element::{Element, Nodes, Nothing, Parameters, angle};
 use jointproof::formula::Formula;
 use jointproof::toolkit::graph::{Extremes, NotRecorded};
-use jointproof::toolkit::verify::ElementFile;
 use jointproof::toolkit::verify::golden::components;
 use nalgebra::{SVector, Vector2, Vector3};
 
@@ -48,12 +48,6 @@ fn standing() -> Nodes<f64> {
     Nodes::new(triads, [Vector3::new(1.0, 2.0, 3.0), Vector3::new(2.5, 2.25, 4.0)])
 }
 
-/// The committed golden file of an element.
-fn golden(element: &dyn AnyElement) -> ElementFile {
-    let path = format!("{}/golden/elements/{}.json", env!("CARGO_MANIFEST_DIR"), element.spec().id);
-    serde_json::from_str(&std::fs::read_to_string(&path).expect(&path)).expect(&path)
-}
-
 /// Each input in turn is NaN: the error names it.
 #[test]
 fn every_element_asks_for_all_that_it_computes_from() {
@@ -61,7 +55,7 @@ fn every_element_asks_for_all_that_it_computes_from() {
     for element in ELEMENTS {
         let rubs = !element.layout().contact.is_empty();
         let fields = element.inputs(rubs);
-        let file = golden(*element);
+        let file = golden_of_element(*element);
         let valid =
             file.cases.iter().find_map(|case| components(fields, &case.inputs).ok().filter(|_| case.error.is_none()));
         let valid = valid.expect("a case is valid");
@@ -93,7 +87,7 @@ fn a_contact_without_a_search_is_recorded_and_gives_its_own_bits() {
                 continue;
             }
             let graph = graph.expect(id);
-            for case in golden(*element).cases {
+            for case in common::golden_of_element(*element).cases {
                 let Ok(inputs) = components(element.inputs(rubs), &case.inputs) else { continue };
                 let Ok(value) = element.value(&inputs, rubs) else { continue };
                 let bits = |x: &[f64]| x.iter().map(|x| x.to_bits()).collect::<Vec<_>>();

@@ -4,7 +4,7 @@ mod by_rows;
 
 use crate::common;
 use by_rows::by_rows_in_words;
-use jointproof::catalog::{AnyFormula, CATALOG};
+use jointproof::catalog::{AnyFormula, CATALOG, ELEMENTS};
 use jointproof::connector::slot::{Contact, ContactForce as SlotContactForce, CrossForces};
 use jointproof::formula::{Component, Field, Formula, Jacobian, Spec};
 use jointproof::number::scalar::norm;
@@ -47,6 +47,32 @@ fn every_formula_is_recorded_and_gives_its_own_bits() {
             assert_eq!(bits(&found, &entries), bits(&value, &jacobian), "{id} at {inputs:?}");
         }
     });
+}
+
+/// Where extremes are NaN, some results are NaN too, and their row is computed again.
+#[test]
+fn every_element_is_recorded_and_gives_its_own_bits() {
+    for (element, rubs) in ELEMENTS.iter().flat_map(|element| [(element, false), (element, true)]) {
+        if rubs && element.layout().contact.is_empty() {
+            continue;
+        }
+        let id = element.spec().id;
+        let [by_rows, alone] = [Extremes::Nan, Extremes::Joined]
+            .map(|extremes| element.graph(rubs, extremes).unwrap_or_else(|why| panic!("{id}: {why}")));
+        assert_ne!(by_rows_in_words(&by_rows), "\n", "{id}, friction {rubs}: where a number is NaN, a result is");
+        let mut compared = 0;
+        for case in common::golden_of_element(*element).cases {
+            let Ok(inputs) = components(element.inputs(rubs), &case.inputs) else { continue };
+            let Ok(value) = element.value(&inputs, rubs) else { continue };
+            assert_eq!(bits(&alone.run(&inputs).0, &[]), bits(&value, &[]), "{id} at {inputs:?}");
+            let found = by_rows.run(&inputs).0;
+            if found.iter().all(|x| x.is_finite()) {
+                compared += 1;
+                assert_eq!(bits(&found, &[]), bits(&value, &[]), "{id} at {inputs:?}");
+            }
+        }
+        assert!(compared > 10, "{id}, friction {rubs}: {compared} points");
+    }
 }
 
 /// The line of the table for a formula, from its graph.

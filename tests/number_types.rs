@@ -1,6 +1,6 @@
 //! Octuple and Single as numbers: special values, agreement with the hardware, and derivatives under num-dual.
 
-use jointproof::number::scalar::{e_minus_one, pi};
+use jointproof::number::scalar::{Leaf, e_minus_one, nearest_integer, pi};
 use jointproof::{Octuple, Single};
 use nalgebra::{SVector, vector};
 use num_dual::{DualNum, first_derivative, gradient, hessian, jacobian, second_derivative, second_partial_derivative};
@@ -40,6 +40,24 @@ fn functions_of_one_special_value_are_those_of_f64() {
 fn constants_have_the_digits_of_their_type() {
     assert_eq!([pi::<Octuple>(), e_minus_one()], [Octuple::PI, Octuple::E - 1.0]);
     assert_eq!([pi::<Single>(), e_minus_one()], [std::f64::consts::PI, 1.0_f64.exp_m1()].map(Single::from));
+}
+
+/// Also beside halves, where adding ½ and taking the integer below would round twice.
+#[test]
+fn the_nearest_integer_is_that_of_f64_and_has_no_derivative() {
+    fn of<L: Leaf>(x: f64) -> f64 {
+        nearest_integer(L::from(x)).re()
+    }
+    let halves = [0.5, 1.5, 2.5, 8_388_607.5].map(|half: f64| [half.next_down(), half, half.next_up()]);
+    let all = halves.as_flattened().iter().copied().chain(SPECIAL).chain([4_503_599_627_370_495.5, 1e300]);
+    for x in all.flat_map(|x| [x, -x]) {
+        let same = |wide: f64| wide == x.round() || wide.is_nan() && x.is_nan();
+        assert!(same(of::<f64>(x)) && same(of::<Octuple>(x)), "{x}: {} {}", of::<f64>(x), of::<Octuple>(x));
+    }
+    assert_eq!([0.5, 1.5, 2.5, -2.5].map(of::<Single>), [1.0, 2.0, 3.0, -3.0]);
+    let below = Octuple::from(0.5) - Octuple::EPSILON;
+    assert_eq!([below, -below].map(|x| nearest_integer(x).to_f64()), [0.0; 2]);
+    assert_eq!(first_derivative(nearest_integer, 2.7), (3.0, 0.0));
 }
 
 #[test]

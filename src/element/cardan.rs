@@ -40,7 +40,9 @@ pub(crate) use triads::Oriented;
 pub use triads::{Triads, check_turns};
 
 use crate::formula::error::Error;
-use crate::number::scalar::{Scalar, angles, has_length, is_between, norm_and_direction, number_if, pi};
+use crate::number::scalar::{
+    Scalar, angles, choice, constant, has_length, is_between, leaf, nearest_integer, norm_and_direction, number_if, pi,
+};
 use nalgebra::{Matrix3, Vector3};
 
 /// The first angle, α = −atan2(e2a·e3b, e3a·e3b).
@@ -151,11 +153,13 @@ fn is_turn<D: Scalar>(v: &Vector3<D>, p: &Vector3<D>, q: &Vector3<D>) -> bool {
 }
 
 /// The angle plus the number of full turns that brings it nearest to another one: this follows a joint from state to state,
-/// provided that it rotates by less than half a turn between them.
+/// provided that it rotates by less than half a turn between them. Of two angles that are equally near, it is the one with more
+/// full turns.
 #[inline]
 pub(crate) fn nearest<D: Scalar>(angle: D, to: D) -> D {
-    let turns = ((to - angle).re() / std::f64::consts::TAU).round();
-    if turns == 0.0 { angle } else { angle + pi::<D>() * (2.0 * turns) }
+    let turns = constant::<D>(nearest_integer(leaf(to - angle) / (pi::<D::Leaf>() * 2.0)));
+    let [nearest] = choice(|| [if turns == 0.0 { angle } else { angle + pi::<D>() * (turns * 2.0) }]);
+    nearest
 }
 
 /// R1(α) R2(β) R3(γ): three rotations about the first, the second and the third axis, each about an axis as rotated by the

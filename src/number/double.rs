@@ -29,6 +29,10 @@ impl Leaf for f64 {
         self.max(other)
     }
     #[inline]
+    fn nearest_integer_of(x: Self) -> Self {
+        x.round()
+    }
+    #[inline]
     fn exact_sum(products: impl IntoIterator<Item = [Self; 4]>) -> Self {
         exact_sum(products)
     }

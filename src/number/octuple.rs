@@ -100,6 +100,9 @@ impl Leaf for Octuple {
     fn constants<const N: usize>(_: [f64; N], definition: impl FnOnce() -> [Self; N]) -> [Self; N] {
         definition()
     }
+    fn nearest_integer_of(x: Self) -> Self {
+        Self(x.0.round())
+    }
     #[inline]
     fn exact_sum(products: impl IntoIterator<Item = [Self; 4]>) -> Self {
         exact_sum(products)

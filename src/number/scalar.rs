@@ -115,6 +115,8 @@ pub trait Leaf: Scalar<Leaf = Self> {
     fn power_of_two_below(self) -> [Self; 2] {
         power_of_two_below(self.re()).map(Self::from)
     }
+    /// See [`nearest_integer`].
+    fn nearest_integer_of(x: Self) -> Self;
     /// A sum of at most 18 products of four numbers each, of the right sign: only the final sum is rounded.
     fn exact_sum(products: impl IntoIterator<Item = [Self; 4]>) -> Self;
     /// The result of a search from these numbers.
@@ -173,6 +175,17 @@ pub fn pi<D: Scalar>() -> D {
 #[inline]
 pub fn e_minus_one<D: Scalar>() -> D {
     constant(D::Leaf::e_minus_one())
+}
+
+/// The nearest integer, which has no derivative; of two that are equally near, the one farther from 0.
+///
+/// ```
+/// use jointproof::number::scalar::nearest_integer;
+/// assert_eq!([0.49999999999999994, 0.5, 2.5, -2.5].map(nearest_integer::<f64>), [0.0, 1.0, 3.0, -3.0]);
+/// ```
+#[inline]
+pub fn nearest_integer<D: Scalar>(x: D) -> D {
+    constant(D::Leaf::nearest_integer_of(leaf(x)))
 }
 
 /// √(Σ xᵢ²), within about an ulp for every representable input, also if subnormal or near the overflow threshold.

@@ -50,6 +50,10 @@ impl Leaf for Single {
         nearest.map(Self::from)
     }
     #[inline]
+    fn nearest_integer_of(x: Self) -> Self {
+        Self(x.0.round())
+    }
+    #[inline]
     fn exact_sum(products: impl IntoIterator<Item = [Self; 4]>) -> Self {
         exact_sum(products)
     }

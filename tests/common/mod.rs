@@ -1,8 +1,9 @@
 //! Shared by test files: golden files, and strategies for inputs of any formula, drawn from the domains that its fields declare.
 
-use jointproof::catalog::AnyFormula;
+use jointproof::catalog::{AnyElement, AnyFormula};
 use jointproof::formula::Field;
 use jointproof::formula::quantity::{Domain, Node, Shape};
+use jointproof::toolkit::verify::ElementFile;
 use jointproof::toolkit::verify::golden::File;
 use proptest::prelude::*;
 
@@ -13,6 +14,12 @@ pub fn golden(formula: &dyn AnyFormula) -> File {
     let text =
         std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{path}: {error}; run: cargo xtask golden"));
     File::parse(&text).unwrap()
+}
+
+/// The committed golden file of an element.
+pub fn golden_of_element(element: &dyn AnyElement) -> ElementFile {
+    let path = format!("{}/golden/elements/{}.json", env!("CARGO_MANIFEST_DIR"), element.spec().id);
+    serde_json::from_str(&std::fs::read_to_string(&path).expect(&path)).expect(&path)
 }
 
 /// A number of either sign with a magnitude from 2⁻¹⁰ to 2¹⁰, the range for which the bounds are stated.

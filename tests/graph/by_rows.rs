@@ -59,7 +59,8 @@ fn is_extreme_itself(graph: &Graph, node: Node) -> bool {
 fn is_simple(op: &Op) -> bool {
     match op {
         Op::Unary(function, _) => {
-            matches!(function, Unary::Negative | Unary::Root | Unary::Absolute | Unary::ArcSine | Unary::PowerOfTwo)
+            use Unary::{Absolute, ArcSine, NearestInteger, Negative, PowerOfTwo, Root};
+            matches!(function, Negative | Root | Absolute | ArcSine | PowerOfTwo | NearestInteger)
         }
         op => !matches!(op, Op::ExactSum(_) | Op::Search(..)),
     }

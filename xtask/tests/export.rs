@@ -101,8 +101,8 @@ fn every_file_is_as_it_was_accepted() {
     const FORMULAS: &str = "{coulomb.return_map,interaction.pressure_exponential,universal.angles,slide_line.closest_parabolic,\
                             slider.geometric_stiffness,slot.friction}";
     let of = ["c", "fortran", "js", "numpy", "fpcore"].map(|lang| (lang, vec!["--lang", lang, "--filter", FORMULAS]));
-    let shells =
-        ["uel-slot", "uel-translator", "uel-ujoint", "fric", "mpc"].map(|shell| (shell, vec!["--shell", shell]));
+    let shells = ["uel-slot", "uel-translator", "uel-ujoint", "uel-hinge", "fric", "mpc"]
+        .map(|shell| (shell, vec!["--shell", shell]));
     let mut texts = Vec::new();
     for (name, wanted) in of.into_iter().chain(shells) {
         let bench = Bench::new();

@@ -4,6 +4,7 @@
 //! and returns the results as bits.
 
 use crate::common::{Bench, is_here};
+use jointproof::connector::hinge::HingeElement;
 use jointproof::connector::slot::SlotElement;
 use jointproof::connector::translator::TranslatorElement;
 use jointproof::connector::ujoint::UJointElement;
@@ -259,11 +260,14 @@ fn compare<E: Element<N, Nodes<f64> = Nodes<f64>>, const N: usize>(
         assert_eq!((&stiffness.amatrx, &stiffness.svars), (&found.amatrx, &point.svars));
         let mass = peer.ask(4, &point);
         assert!(mass.rhs.iter().chain(&mass.amatrx).all(|&x| x == 0.0));
-        // If a node has an invalid position, a smaller increment is requested.
-        let mut lost = point.clone();
+        // If a node has an invalid position, or a moment overflows, a smaller increment is requested.
+        let (mut lost, mut strained) = (point.clone(), point.clone());
         lost.u[0] = f64::NAN;
-        let refused = peer.ask(1, &lost);
-        assert_eq!((refused.pnewdt, refused.rhs.iter().all(|&x| x == 0.0)), (0.5, true));
+        strained.coords[1] *= 1e200;
+        strained.u[12] = 1e200;
+        for refused in [lost, strained].map(|point| peer.ask(1, &point)) {
+            assert_eq!((refused.pnewdt, refused.rhs.iter().all(|&x| x == 0.0)), (0.5, true));
+        }
     }
 }
 
@@ -298,6 +302,15 @@ fn ujoint_has_every_bit_of_rust() {
         let (k_stick1, k_stick3) = (stiffness(numbers), 10_f64.powf(2.0 * numbers.next()));
         let cross: Vec<_> = numbers.some(4).iter().map(|x| x.abs()).collect();
         [start, vec![k_stick1, k_stick3], cross, numbers.some(2), vec![numbers.next().abs()]].concat()
+    });
+}
+
+#[test]
+fn hinge_has_every_bit_of_rust() {
+    compare::<HingeElement, 5>("uel-hinge", |numbers| {
+        let start = numbers.some(6);
+        let positive: Vec<_> = numbers.some(3).iter().map(|x| x.abs()).collect();
+        [start, vec![stiffness(numbers)], positive, vec![numbers.next(), numbers.next().abs()]].concat()
     });
 }
 

@@ -43,6 +43,8 @@ pub enum Unary {
     ExponentialMinusOne,
     /// The largest power of two that is not above x, within 2⁻¹⁰²² … 2¹⁰²²; x is positive.
     PowerOfTwo,
+    /// The nearest integer; of two that are equally near, the one farther from 0.
+    NearestInteger,
 }
 
 /// An operation on two numbers.

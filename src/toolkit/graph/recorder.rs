@@ -25,7 +25,13 @@ struct Recorder {
     /// Whether this run has requested the value of something that depends on the inputs.
     asked: bool,
     extremes: Extremes,
+    /// The number of choices so far in every run that has not ended, the innermost last.
+    choices: Vec<usize>,
+    known: FxHashMap<Place, Side>,
 }
+
+/// The place of a choice: what was decided before, and its number, with those that it is within. What is chosen follows from it.
+type Place = (Vec<(Node, bool)>, Vec<usize>);
 
 /// The treatment of numbers that would over- or underflow.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -33,6 +39,8 @@ pub enum Extremes {
     /// They are computed by a separate branch, as for a single point.
     #[default]
     Computed,
+    /// The same, but the branches of a direction are joined at once: an element has too many combinations of them.
+    Joined,
     /// They are NaN, as for several rows of a batch computed together.
     Nan,
 }
@@ -73,7 +81,7 @@ pub(super) fn record<const N: usize>(
     extremes: Extremes,
     runs: [&dyn Fn() -> Vec<Node>; N],
 ) -> Result<(Graph, [Vec<Node>; N]), Failure> {
-    RECORDER.set(Some(Recorder { extremes, ..Recorder::default() }));
+    RECORDER.set(Some(Recorder::new(Graph::default(), extremes)));
     let results = catch_unwind(AssertUnwindSafe(|| runs.map(sides)));
     let recorder = RECORDER.take().expect("it was set before the run");
     match results {
@@ -85,7 +93,7 @@ pub(super) fn record<const N: usize>(
 
 /// Appends the operations of `run` to a graph and returns its result.
 pub(super) fn extended<T>(graph: &mut Graph, run: impl FnOnce() -> T) -> T {
-    RECORDER.set(Some(Recorder { graph: std::mem::take(graph), ..Recorder::default() }));
+    RECORDER.set(Some(Recorder::new(std::mem::take(graph), Extremes::Computed)));
     let results = run();
     *graph = RECORDER.take().expect("it was set before the run").graph;
     results
@@ -96,9 +104,20 @@ type Side = Option<Vec<Node>>;
 
 /// The results of `run` over all outcomes of its comparisons that earlier ones leave open.
 pub(super) fn sides(run: &dyn Fn() -> Vec<Node>) -> Side {
-    let before = with(|recorder| recorder.run.clone());
+    let (before, place) = with(|recorder| {
+        *recorder.choices.last_mut().expect("a choice is within a run") += 1;
+        (recorder.run.clone(), (recorder.run.taken.clone(), recorder.choices.clone()))
+    });
+    if let Some(known) = with(|recorder| recorder.known.get(&place).cloned()) {
+        return known;
+    }
+    with(|recorder| recorder.choices.push(0));
     let side = sides_from(run, &before, Vec::new());
-    with(|recorder| recorder.run = before);
+    with(|recorder| {
+        recorder.run = before;
+        recorder.choices.pop();
+        recorder.known.insert(place, side.clone());
+    });
     side
 }
 
@@ -108,6 +127,7 @@ fn sides_from(run: &dyn Fn() -> Vec<Node>, before: &Run, script: Vec<bool>) -> S
     let runs = with(|recorder| {
         recorder.run = Run { script, start: before.taken.len(), ..before.clone() };
         recorder.operations = 0;
+        *recorder.choices.last_mut().expect("a choice is within a run") = 0;
         recorder.runs += 1;
         recorder.runs
     });
@@ -190,6 +210,10 @@ impl Graph {
 }
 
 impl Recorder {
+    fn new(graph: Graph, extremes: Extremes) -> Self {
+        Self { graph, extremes, choices: vec![0], ..Self::default() }
+    }
+
     fn decide(&mut self, relation: Relation, x: Node, y: Node) -> bool {
         if let (Some(x), Some(y)) = (self.graph.constant(x), self.graph.constant(y)) {
             return relation.holds(x, y);
@@ -296,6 +320,29 @@ mod tests {
                 }
             }
         }
+    }
+
+    /// Each outcome before it has its own choice, and none after it.
+    #[test]
+    fn a_choice_is_made_once_whatever_is_decided_after_it() {
+        let runs = std::cell::Cell::new(0);
+        let run = || {
+            let [x, y, z] = [0, 1, 2].map(|k| enter(Op::Input(k)));
+            let chosen = |a, b| {
+                runs.set(runs.get() + 1);
+                vec![if decide(Relation::Less, a, b) { a } else { b }]
+            };
+            let first = sides(&|| chosen(x, y)).unwrap();
+            let is_less = decide(Relation::Less, y, z);
+            let second = sides(&|| chosen(x, z)).unwrap();
+            let third = sides(&|| chosen(z, x)).unwrap();
+            decide(Relation::Less, first[0], third[0]);
+            vec![if is_less { first[0] } else { second[0] }]
+        };
+        let Ok((graph, [results])) = record(Extremes::Computed, [&run]) else { panic!("it is recorded") };
+        assert_eq!(runs.get(), 2 + 2 * 2 + 2 * 2);
+        let all = |inputs: &[f64]| graph.results(inputs, (0..graph.ops().len()).map(Node::at))[results[0].index()];
+        assert_eq!([all(&[2.0, 1.0, 3.0]), all(&[2.0, 5.0, 0.5])], [1.0, 0.5]);
     }
 
     #[test]

@@ -46,6 +46,7 @@ impl Unary {
             Self::Exponential => x.exp(),
             Self::ExponentialMinusOne => exp_m1(x),
             Self::PowerOfTwo => x.power_of_two_below()[0],
+            Self::NearestInteger => T::nearest_integer_of(x),
         }
     }
 }

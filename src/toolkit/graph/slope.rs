@@ -83,7 +83,7 @@ impl Op {
                     Unary::ArcSine => (one - x * x).sqrt().recip(),
                     Unary::Exponential => result,
                     Unary::ExponentialMinusOne => x.exp(),
-                    Unary::PowerOfTwo => zero,
+                    Unary::PowerOfTwo | Unary::NearestInteger => zero,
                 }]
             }
             Self::Binary(operation, x, y) => {

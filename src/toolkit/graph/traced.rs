@@ -3,7 +3,7 @@
 use super::node::{self, Binary, Node, Op, Relation, Unary};
 use super::recorder::{Escape, Extremes, ask, constant, decide, enter, escape, extremes, sides};
 use crate::number::newtype::{newtype_dual_num, newtype_number};
-use crate::number::scalar::{Leaf, Scalar, Search, e_minus_one, itself, pi};
+use crate::number::scalar::{Leaf, Scalar, Search, choice, direction_of_length, e_minus_one, itself, norm, pi};
 use num_traits::FromPrimitive;
 use std::cmp::Ordering;
 use std::fmt;
@@ -210,6 +210,9 @@ impl Leaf for Traced {
         let unit = Self(self.0.unary(Unary::PowerOfTwo));
         [unit, Self(function::recip(unit.0))]
     }
+    fn nearest_integer_of(x: Self) -> Self {
+        Self(x.0.unary(Unary::NearestInteger))
+    }
     fn exact_sum(products: impl IntoIterator<Item = [Self; 4]>) -> Self {
         Self(Place::entered(Op::ExactSum(products.into_iter().map(|product| product.map(Self::node)).collect())))
     }
@@ -226,6 +229,15 @@ impl Scalar for Traced {
     fn norm_of<const N: usize>(x: [Self; N]) -> Self {
         Self(Place::entered(Op::Norm(x.map(Self::node).into())))
     }
+    fn norm_and_direction_of<const N: usize>(x: [Self; N]) -> (Self, [Self; N]) {
+        let length = norm(x);
+        let direction = || direction_of_length(x, length);
+        match extremes() {
+            Extremes::Computed => (length, direction()),
+            Extremes::Joined => (length, choice(direction)),
+            Extremes::Nan => (length, x.map(|x| x / length)),
+        }
+    }
     fn angle_of(y: Self, x: Self) -> Self {
         Self(function::atan2(y.0, x.0))
     }
@@ -235,7 +247,7 @@ impl Scalar for Traced {
         std::array::from_fn(|k| Self(Place::Node(nodes[k])))
     }
     fn has_extremes() -> bool {
-        extremes() == Extremes::Computed
+        extremes() != Extremes::Nan
     }
     // If extremes are NaN, so are uncertain results; without the test of the shortcut, all results would be uncertain.
     fn takes_shortcuts() -> bool {

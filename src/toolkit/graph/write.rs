@@ -120,6 +120,7 @@ mod tests {
             Unary::Exponential,
             Unary::ExponentialMinusOne,
             Unary::PowerOfTwo,
+            Unary::NearestInteger,
         ]
         .map(|function| Op::Unary(function, x));
         let binary = [Binary::Add, Binary::Subtract, Binary::Multiply, Binary::Divide, Binary::Angle, Binary::Maximum];

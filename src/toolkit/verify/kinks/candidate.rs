@@ -17,6 +17,8 @@ pub(super) enum Other {
     Number(f64),
     /// The power of two above the number: at that point, the power of two below it jumps.
     PowerOfTwo,
+    /// The nearest number halfway between two integers, where the nearest integer jumps.
+    Halfway,
 }
 
 /// A condition under which a formula may have no derivative.
@@ -119,6 +121,7 @@ impl Seen<'_> {
                 [1.0, -1.0].into_iter().flat_map(|c| equal(*x, Other::Number(c), &c.to_string())).collect()
             }
             Op::Unary(Unary::PowerOfTwo, x) => equal(*x, Other::PowerOfTwo, "a power of two"),
+            Op::Unary(Unary::NearestInteger, x) => equal(*x, Other::Halfway, "an integer and a half"),
             Op::Binary(Binary::Angle, y, x) => {
                 let [on_y, on_x] = [*y, *x].map(|node| (node, Other::Number(0.0)));
                 let origin = place(format!("{} = {} = 0", of(*y), of(*x)), vec![on_y, on_x]);
@@ -176,7 +179,7 @@ mod tests {
     use super::super::planted::planted;
     use super::*;
     use Binary::{Add, Angle, Divide, Maximum, Multiply, Subtract};
-    use Unary::{Absolute, ArcSine, Negative, PowerOfTwo, Root, Sine};
+    use Unary::{Absolute, ArcSine, NearestInteger, Negative, PowerOfTwo, Root, Sine};
 
     /// The candidates of a value of x, y and c > 0: their words, and the equations to solve.
     fn found(value: impl FnOnce(&mut Graph, [Node; 3]) -> Vec<Node>) -> Vec<String> {
@@ -190,6 +193,7 @@ mod tests {
                 Other::Node(other) => format!("{} = {}", words.of(node), words.of(other)),
                 Other::Number(number) => format!("{} = {number}", words.of(node)),
                 Other::PowerOfTwo => format!("{} = 2ᵏ", words.of(node)),
+                Other::Halfway => format!("{} = k + ½", words.of(node)),
             };
             let pairs: Vec<_> = pairs.into_iter().map(equal).collect();
             let negative = negative.map(|node| format!(", {} < 0", words.of(node))).unwrap_or_default();
@@ -233,6 +237,7 @@ mod tests {
         assert_eq!([Absolute, Root].map(of), [["x = 0: x = 0"]; 2]);
         assert_eq!(of(ArcSine), ["x = 1: x = 1", "x = -1: x = -1"]);
         assert_eq!(of(PowerOfTwo), ["x = a power of two: x = 2ᵏ"]);
+        assert_eq!(of(NearestInteger), ["x = an integer and a half: x = k + ½"]);
         assert_eq!([Sine, Negative].map(of), [[""; 0]; 2]);
         let angle = found(|graph, [x, y, _]| vec![graph.binary(Angle, y, x)]);
         assert_eq!(angle, ["y = x = 0: y = 0, x = 0", "y = 0, x < 0: y = 0, x < 0"]);

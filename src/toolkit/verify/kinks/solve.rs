@@ -47,6 +47,7 @@ fn goal(value: f64, other: &Other) -> Result<f64, Node> {
         Other::Node(node) => Err(*node),
         Other::Number(number) => Ok(*number),
         Other::PowerOfTwo => Ok(value.power_of_two_below()[0] * 2.0),
+        Other::Halfway => Ok(value.floor() + 0.5),
     }
 }
 
@@ -54,7 +55,7 @@ impl<'a> Solver<'a> {
     pub(super) fn new(graph: &'a Graph, fields: &'static [Field], candidate: &'a Candidate) -> Self {
         let others = candidate.pairs.iter().filter_map(|(_, other)| match other {
             Other::Node(node) => Some(*node),
-            Other::Number(_) | Other::PowerOfTwo => None,
+            Other::Number(_) | Other::PowerOfTwo | Other::Halfway => None,
         });
         let results: Vec<_> = candidate.pairs.iter().map(|(node, _)| *node).chain(others).collect();
         let needed = graph.needed(&results);
@@ -143,7 +144,7 @@ impl<'a> Solver<'a> {
                     slopes.iter_mut().zip(gradient(other)).for_each(|(slope, by)| *slope -= by);
                     all[other.index()]
                 }
-                Other::Number(_) | Other::PowerOfTwo => T::from(goal.unwrap_or(f64::NAN)),
+                Other::Number(_) | Other::PowerOfTwo | Other::Halfway => T::from(goal.unwrap_or(f64::NAN)),
             };
             slopes.iter_mut().zip(sizes).for_each(|(slope, &size)| *slope *= size);
             let scale = slopes.iter().fold(abs(value) + abs(other), |sum, &slope| sum + abs(slope));
@@ -290,10 +291,11 @@ mod tests {
     }
 
     #[test]
-    fn a_number_is_to_be_another_one_or_the_power_of_two_above_it() {
+    fn a_number_is_to_be_another_one_or_where_a_function_of_it_jumps() {
         let [x] = Graph::default().inputs();
         assert_eq!((goal(3.0, &Other::Number(2.0)), goal(3.0, &Other::Node(x))), (Ok(2.0), Err(x)));
         assert_eq!([3.0, 4.0, 0.75].map(|value| goal(value, &Other::PowerOfTwo)), [Ok(4.0), Ok(8.0), Ok(1.0)]);
+        assert_eq!([3.0, 3.75, -0.25].map(|value| goal(value, &Other::Halfway)), [Ok(3.5), Ok(3.5), Ok(-0.5)]);
     }
 
     #[test]

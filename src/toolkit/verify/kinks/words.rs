@@ -85,6 +85,7 @@ fn name(function: Unary) -> &'static str {
         Unary::Exponential => "exp",
         Unary::ExponentialMinusOne => "expm1",
         Unary::PowerOfTwo => "power_of_two",
+        Unary::NearestInteger => "nearest_integer",
     }
 }
 
@@ -107,7 +108,9 @@ fn number(x: f64) -> String {
 mod tests {
     use super::*;
     use Binary::{Add, Angle, Divide, Maximum, Multiply, Subtract};
-    use Unary::{Absolute, ArcSine, Cosine, Exponential, ExponentialMinusOne, Negative, PowerOfTwo, Root, Sine};
+    use Unary::{
+        Absolute, ArcSine, Cosine, Exponential, ExponentialMinusOne, NearestInteger, Negative, PowerOfTwo, Root, Sine,
+    };
 
     fn named(graph: &Graph, names: [&str; 2], node: Node) -> String {
         Words { graph, names: &names.map(str::to_owned) }.of(node)
@@ -132,8 +135,8 @@ mod tests {
         let of = |function| written(|graph, [x, _]| graph.unary(function, x));
         assert_eq!([Negative, Absolute, Root].map(of), ["−x", "|x|", "√(x)"]);
         assert_eq!([Sine, Cosine, ArcSine].map(of), ["sin(x)", "cos(x)", "asin(x)"]);
-        let others = [Exponential, ExponentialMinusOne, PowerOfTwo].map(of);
-        assert_eq!(others, ["exp(x)", "expm1(x)", "power_of_two(x)"]);
+        let others = [Exponential, ExponentialMinusOne, PowerOfTwo, NearestInteger].map(of);
+        assert_eq!(others, ["exp(x)", "expm1(x)", "power_of_two(x)", "nearest_integer(x)"]);
     }
 
     #[test]

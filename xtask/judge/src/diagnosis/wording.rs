@@ -33,6 +33,7 @@ fn text(graph: &Graph, inputs: &[Field], node: Node, depth: usize, tight: bool) 
         Op::Unary(Unary::Exponential, x) => format!("exp({})", of(x, false)),
         Op::Unary(Unary::ExponentialMinusOne, x) => format!("expm1({})", of(x, false)),
         Op::Unary(Unary::PowerOfTwo, x) => format!("power of two below {}", of(x, true)),
+        Op::Unary(Unary::NearestInteger, x) => format!("integer nearest to {}", of(x, true)),
         Op::Binary(Binary::Add, x, y) => grouped(format!("{} + {}", of(x, false), of(y, false))),
         Op::Binary(Binary::Subtract, x, y) => grouped(format!("{} − {}", of(x, false), of(y, true))),
         Op::Binary(Binary::Multiply, x, y) => format!("{} {}", of(x, true), of(y, true)),

@@ -131,6 +131,7 @@ pub(super) const NAMES: Names = Names {
         Unary::Exponential => "exp",
         Unary::ExponentialMinusOne => "jp_expm1",
         Unary::PowerOfTwo => "jp_power_of_two",
+        Unary::NearestInteger => "round",
     },
     angle: "jp_angle",
     maximum: "fmax",
@@ -310,7 +311,7 @@ fn guarded(name: &str, text: &str) -> String {
 fn header(one: &Recorded) -> String {
     let spec = one.formula.spec();
     let mut lines = vec![format!("{}: {}", spec.id, spec.title), String::new(), "Return code 0: done.".into()];
-    lines.extend(refusals(one));
+    lines.extend(refusals(one.formula.inputs(), &one.graph));
     let prototypes: Vec<_> = one.functions().into_iter().map(|with| format!("{};\n", prototype(one, with))).collect();
     let text = prototypes.join("\n");
     comment(&lines) + &guarded(&format!("jp_{}", stem(one)), &text)

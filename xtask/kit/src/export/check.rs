@@ -214,6 +214,7 @@ mod tests {
     use super::*;
     use crate::files;
     use jointproof::catalog::find;
+    use jointproof::toolkit::graph::{Instead, Unary};
 
     /// The report of the check for an export in which a text of a file is replaced by another.
     fn judged(id: &str, file: &str, from: &str, to: &str) -> String {
@@ -235,6 +236,34 @@ mod tests {
         let said = judged("slot.contact_force", "jp_slot_contact_force.c", "jp_norm2(f2, f3)", "jp_norm2(f2, f2)");
         assert!(said.starts_with("false") && said.contains("slot.contact_force at "), "{said}");
         assert!(said.contains(": fc: ") || said.contains(": ∂fc/∂f2: "), "{said}");
+    }
+
+    /// Each language rounds by its own function or by that of its runtime, also beside halves and where integers are all.
+    #[test]
+    fn the_nearest_integer_has_the_same_bits_in_every_language() {
+        let (mut recorded, _) = record(&[find("slot.contact_force").unwrap()], None);
+        let graph = &mut recorded[0].graph;
+        let f2 = graph.needed(&graph.value).into_iter().find(|&node| *graph.op(node) == Op::Input(0)).unwrap();
+        *graph = graph.altered(graph.value[0], &Instead::Op(Op::Unary(Unary::NearestInteger, f2)));
+        graph.jacobian = graph.value.repeat(2);
+        let sizes =
+            [0.0, 0.25, 0.5_f64.next_down(), 0.5, 1.0, 1.5, 2.5, 2.5_f64.next_up(), 4_503_599_627_370_495.5, 1e300];
+        let point = |inputs: Vec<f64>| {
+            let (value, jacobian) = recorded[0].graph.run(&inputs);
+            Point { name: String::new(), inputs, expected: Expected::Results([value, jacobian].concat()) }
+        };
+        let points = vec![sizes.into_iter().flat_map(|x| [x, -x]).map(|x| point(vec![x, 1.0])).collect::<Vec<_>>()];
+        let numpy = Command::new("python3").args(["-c", "import numpy"]).output();
+        let numpy = numpy.is_ok_and(|output| output.status.success()).then_some(&NumPy as &dyn Language);
+        for language in [&C as &dyn Language, &Fortran, &JavaScript].into_iter().chain(numpy) {
+            let folder = tempfile::tempdir().unwrap();
+            for (name, text) in language.files(&recorded) {
+                files::write(&folder.path().join(name), &text).unwrap();
+            }
+            for judged in all(language, folder.path(), &recorded, &points).unwrap() {
+                assert!(judged.is_well() && judged.compared == 60, "{judged}");
+            }
+        }
     }
 
     #[test]

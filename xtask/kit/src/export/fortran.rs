@@ -1,20 +1,22 @@
 //! Fortran 2008.
 
 use super::c::{Names, common, exact_sum, signed};
-mod driver;
+pub(super) mod driver;
+pub(super) mod element;
 
 use super::language::{File, Language, Operand, Syntax, Toolchain, files_of};
 use super::program::{Body, Lines, PartLines, folded};
 use super::recorded::{Recorded, Text, bounds, description, function_name, refusals, stem, unreserved};
 use jointproof::formula::Field;
-use jointproof::toolkit::graph::{Op, Relation, Unary};
+use jointproof::toolkit::graph::{Node, Op, Relation, Unary};
+use std::collections::BTreeSet;
 
 pub(super) struct Fortran;
 
-const RUNTIME: &str = include_str!("runtime/jp_runtime.f90");
+pub(super) const RUNTIME: &str = include_str!("runtime/jp_runtime.f90");
 const FLAGS: &str = "-std=f2008 -O2 -ffp-contract=off -Wall -Wextra -pedantic -Werror";
 /// Names are case-insensitive, so that a temporary t12 must not clash with an argument T12.
-const RESERVED: [&str; 9] = ["code", "dp", "jacobian", "real", "result", "huge", "abs", "given", "found"];
+const RESERVED: [&str; 10] = ["code", "dp", "jacobian", "results", "real", "result", "huge", "abs", "given", "found"];
 
 const NAMES: Names = Names {
     unary: |function| match function {
@@ -27,6 +29,7 @@ const NAMES: Names = Names {
         Unary::Exponential => "exp",
         Unary::ExponentialMinusOne => "jp_expm1",
         Unary::PowerOfTwo => "jp_power_of_two",
+        Unary::NearestInteger => "anint",
     },
     angle: "jp_angle",
     maximum: "max",
@@ -60,9 +63,7 @@ impl Syntax for Fortran {
     fn formula(&self, one: &Recorded, limit: usize) -> Vec<File> {
         let stem = stem(one);
         let (source, parts) = source(one, limit);
-        let mut files = vec![(format!("jp_{stem}.f90"), source)];
-        files.extend(parts.iter().map(|part| (format!("jp_{stem}_part{}.f90", part.number), part_source(&stem, part))));
-        files
+        files_with_parts(&stem, source, &parts)
     }
 
     fn number(&self, x: f64) -> String {
@@ -137,6 +138,12 @@ impl Syntax for Fortran {
     }
 }
 
+/// The file of a module, and those of its parts.
+fn files_with_parts(stem: &str, source: String, parts: &[PartLines]) -> Vec<File> {
+    let parts = parts.iter().map(|part| (format!("jp_{stem}_part{}.f90", part.number), part_source(stem, part)));
+    [(format!("jp_{stem}.f90"), source)].into_iter().chain(parts).collect()
+}
+
 fn name_of(field: &Field) -> String {
     unreserved(field.name, &RESERVED)
 }
@@ -149,21 +156,30 @@ fn source(one: &Recorded, limit: usize) -> (String, Vec<PartLines>) {
     let mut parts = Vec::new();
     let mut functions = Vec::new();
     for with_jacobian in one.functions() {
+        let function = Function {
+            name: format!("jp_{name}_{}", function_name(with_jacobian)),
+            outputs: one.formula.outputs(),
+            array: with_jacobian.then(|| Array { name: "jacobian", len: one.graph.jacobian.len(), rows: one.rows() }),
+        };
         let (lines, more) = body.program(&one.results(with_jacobian), limit, parts.len() + 1);
         parts.extend(more);
-        functions.push((function(one, &body, &lines, with_jacobian), lines.calls));
+        functions.push((function.text(&body, &lines), function.name, lines.calls));
     }
-    let lines: Vec<_> = description(one).iter().map(|line| format!("! {line}").trim_end().to_owned()).collect();
-    let mut text = Text::from(lines.join("\n"));
-    text.push("\n! The functions give 0, or\n");
-    text.push_all(refusals(one).iter().map(|line| format!("! {line}\n")));
-    text.push(format!("module jp_{name}\n    use jp_runtime\n"));
-    text.push(uses(&name, functions.iter().flat_map(|(_, calls)| calls)));
-    let public: Vec<_> = one.functions().into_iter().map(|with| format!("jp_{name}_{}", function_name(with))).collect();
+    let head = [description(one), vec!["The functions give 0, or".into()], refusals(body.inputs, body.graph)].concat();
+    (module_of(&name, &head, &functions), parts)
+}
+
+/// A module of functions: the text of each, its name, and the parts that it calls.
+fn module_of(stem: &str, head: &[String], functions: &[(String, String, BTreeSet<usize>)]) -> String {
+    let mut text = Text::from("");
+    text.push_all(head.iter().map(|line| format!("! {line}").trim_end().to_owned() + "\n"));
+    text.push(format!("module jp_{stem}\n    use jp_runtime\n"));
+    text.push(uses(stem, functions.iter().flat_map(|(.., calls)| calls)));
+    let public: Vec<_> = functions.iter().map(|(_, name, _)| name.as_str()).collect();
     text.push(format!("    implicit none\n    private\n    public :: {}\ncontains\n", public.join(", ")));
-    text.push_all(functions.iter().map(|(function, _)| function));
-    text.push(format!("end module jp_{name}\n"));
-    (text.finished(), parts)
+    text.push_all(functions.iter().map(|(function, ..)| function));
+    text.push(format!("end module jp_{stem}\n"));
+    text.finished()
 }
 
 /// The modules of parts.
@@ -188,52 +204,66 @@ fn temporaries(lines: &Lines) -> String {
     text + "\n"
 }
 
-fn function(one: &Recorded, body: &Body, lines: &Lines, with_jacobian: bool) -> String {
-    let name = format!("jp_{}_{}", stem(one), function_name(with_jacobian));
-    let (inputs, outputs) = (one.formula.inputs(), one.formula.outputs());
-    let names = inputs.iter().chain(outputs).map(name_of);
-    let names: Vec<_> = names.chain(with_jacobian.then(|| "jacobian".to_owned())).collect();
-    let mut text =
-        Text::from(format!("    function {name}( &\n            {}) result(code)\n", names.join(", &\n            ")));
-    text.push_all(inputs.iter().map(|field| declared(field, "in")));
-    text.push_all(outputs.iter().map(|field| declared(field, "out")));
-    if with_jacobian {
-        text.push(format!("        real(dp), intent(out) :: jacobian({})\n", one.graph.jacobian.len()));
-    }
-    text.push("        integer :: code\n");
-    text.push(temporaries(lines));
-    for field in outputs {
-        text.push(format!("        {} = 0.0_dp\n", name_of(field)));
-    }
-    if with_jacobian {
-        text.push("        jacobian = 0.0_dp\n");
-    }
-    for (position, field) in inputs.iter().enumerate() {
-        text.push(refusal(field, position + 1));
-    }
-    for line in &lines.text {
-        text.push(format!("{line}\n"));
-    }
-    if let Some(refusal) = one.graph.refusal {
-        let found = body.text(lines, refusal);
-        text.push(format!("        code = {} + nint({found})\n        if ({found} > 0.0_dp) return\n", inputs.len()));
-    }
-    let mut value = one.graph.value.iter();
-    for field in outputs {
-        for (k, &node) in value.by_ref().take(field.len()).enumerate() {
-            let place = if field.len() == 1 { name_of(field) } else { format!("{}({})", name_of(field), k + 1) };
-            text.push(format!("        {place} = {}\n", body.text(lines, node)));
+/// A function of the inputs of a body.
+struct Function<'a> {
+    name: String,
+    outputs: &'static [Field],
+    array: Option<Array<'a>>,
+}
+
+/// An array of results.
+struct Array<'a> {
+    name: &'static str,
+    len: usize,
+    /// Rows of results, each by its first place; all others are 0.
+    rows: Vec<(usize, &'a [Node])>,
+}
+
+impl Function<'_> {
+    fn text(&self, body: &Body, lines: &Lines) -> String {
+        let Self { name, outputs, array } = self;
+        let Body { inputs, graph, .. } = body;
+        let names = inputs.iter().chain(*outputs).map(name_of);
+        let names: Vec<_> = names.chain(array.iter().map(|array| array.name.to_owned())).collect();
+        let mut text = Text::from(format!(
+            "    function {name}( &\n            {}) result(code)\n",
+            names.join(", &\n            ")
+        ));
+        text.push_all(inputs.iter().map(|field| declared(field, "in")));
+        text.push_all(outputs.iter().map(|field| declared(field, "out")));
+        if let Some(Array { name, len, .. }) = array {
+            text.push(format!("        real(dp), intent(out) :: {name}({len})\n"));
         }
-    }
-    if with_jacobian {
-        for (k, row) in one.rows() {
-            let entries: Vec<_> = row.iter().map(|&node| body.text(lines, node)).collect();
-            let line = format!("        jacobian({}:{}) = [{}]", k + 1, k + row.len(), entries.join(", "));
-            text.push(folded(&line, " &").join("\n") + "\n");
+        text.push("        integer :: code\n");
+        text.push(temporaries(lines));
+        let found = outputs.iter().map(name_of).chain(array.iter().map(|array| array.name.to_owned()));
+        text.push_all(found.map(|name| format!("        {name} = 0.0_dp\n")));
+        text.push_all(inputs.iter().enumerate().map(|(position, field)| refusal(field, position + 1)));
+        text.push_all(lines.text.iter().map(|line| format!("{line}\n")));
+        if let Some(refusal) = graph.refusal {
+            let found = body.text(lines, refusal);
+            text.push(format!(
+                "        code = {} + nint({found})\n        if ({found} > 0.0_dp) return\n",
+                inputs.len()
+            ));
         }
+        let mut value = graph.value.iter();
+        for field in *outputs {
+            for (k, &node) in value.by_ref().take(field.len()).enumerate() {
+                let place = if field.len() == 1 { name_of(field) } else { format!("{}({})", name_of(field), k + 1) };
+                text.push(format!("        {place} = {}\n", body.text(lines, node)));
+            }
+        }
+        if let Some(Array { name, rows, .. }) = array {
+            for (k, row) in rows {
+                let entries: Vec<_> = row.iter().map(|&node| body.text(lines, node)).collect();
+                let line = format!("        {name}({}:{}) = [{}]", k + 1, k + row.len(), entries.join(", "));
+                text.push(folded(&line, " &").join("\n") + "\n");
+            }
+        }
+        text.push(format!("        code = 0\n    end function {name}\n"));
+        text.finished()
     }
-    text.push(format!("        code = 0\n    end function {name}\n"));
-    text.finished()
 }
 
 fn refusal(field: &Field, code: usize) -> String {

@@ -207,6 +207,7 @@ mod tests {
             ("fma", [x, y, z]) => x.mul_add(*y, *z),
             ("sqrt", [x]) => x.sqrt(),
             ("fabs", [x]) => x.abs(),
+            ("round", [x]) => x.round(),
             ("asin", [x]) => jointproof::number::scalar::asin(*x),
             ("expm1", [x]) => jointproof::number::scalar::exp_m1(*x),
             ("atan2", [y, x]) => jointproof::number::scalar::atan2(*y, *x),

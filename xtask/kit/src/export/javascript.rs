@@ -25,6 +25,7 @@ const NAMES: Names = Names {
         Unary::Exponential => "Math.exp",
         Unary::ExponentialMinusOne => "expm1",
         Unary::PowerOfTwo => "powerOfTwo",
+        Unary::NearestInteger => "nearestInteger",
     },
     angle: "angle",
     maximum: "Math.max",
@@ -130,7 +131,7 @@ pub(super) fn source(one: &Recorded, limit: usize) -> (String, Vec<PartLines>) {
 
 fn imports<'a>(stem: &str, parts: impl Iterator<Item = &'a usize>) -> String {
     let parts = parts.map(|part| format!("import {{ part{part} }} from './jp_{stem}_part{part}.mjs';\n"));
-    "import {\n    angle, asin, exactSum, expm1, multiplyAdd, nearestPlace, norm2, norm3, norm4, powerOfTwo,\n} from './jp_runtime.mjs';\n"
+    "import {\n    angle, asin, exactSum, expm1, multiplyAdd, nearestInteger, nearestPlace, norm2, norm3, norm4,\n    powerOfTwo,\n} from './jp_runtime.mjs';\n"
         .to_owned()
         + &parts.collect::<String>()
 }

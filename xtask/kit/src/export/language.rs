@@ -26,10 +26,15 @@ const LONGEST: usize = 400;
 
 /// The files of a formula, with its functions split into parts if they are too long for one file.
 pub(super) fn files_of(language: &dyn Syntax, one: &Recorded) -> Vec<File> {
+    files_within(|limit| language.formula(one, limit))
+}
+
+/// The first files of which none is too long, printed with functions of about so many lines.
+pub(super) fn files_within(print: impl Fn(usize) -> Vec<File>) -> Vec<File> {
     let limits = [usize::MAX, 100, 60, 30, 15, 5];
     let mut files = Vec::new();
     for limit in limits {
-        files = language.formula(one, limit);
+        files = print(limit);
         if files.iter().all(|(_, text)| text.lines().count() <= LONGEST) {
             break;
         }

@@ -43,7 +43,7 @@ pub(crate) struct Arguments {
     /// The language
     #[arg(long, value_enum, required_unless_present = "shell")]
     lang: Option<Name>,
-    /// A user routine in Fortran in one file, with the formulas that it calls
+    /// A user routine in Fortran in one file, with the functions that it calls
     #[arg(long, value_enum, conflicts_with_all = ["lang", "filter", "check", "speed"])]
     shell: Option<shell::Shell>,
     /// The output folder; it is created if necessary

@@ -31,6 +31,7 @@ const NAMES: Names = Names {
         Unary::Exponential => "np.exp",
         Unary::ExponentialMinusOne => "expm1",
         Unary::PowerOfTwo => "power_of_two",
+        Unary::NearestInteger => "nearest_integer",
     },
     angle: "angle",
     maximum: "np.fmax",
@@ -84,10 +85,10 @@ fn name_of(field: &Field) -> String {
 
 fn source(one: &Recorded) -> String {
     let mut text = Text::from(format!("r\"\"\"{}\n\n0 is returned by refused(...), or\n", description(one).join("\n")));
-    text.push_all(refusals(one).iter().map(|line| format!("{line}\n")));
+    text.push_all(refusals(one.formula.inputs(), &one.graph).iter().map(|line| format!("{line}\n")));
     text.push(
-        "\"\"\"\n\nimport numpy as np\n\nfrom jp_runtime import (\n    angle, arrays, asin, code, exact_sum, expm1, multiply_add, nearest_place, norm2, \
-         norm3, norm4,\n    over_arrays, power_of_two, stacked,\n)\n\n",
+        "\"\"\"\n\nimport numpy as np\n\nfrom jp_runtime import (\n    angle, arrays, asin, code, exact_sum, expm1, multiply_add, nearest_integer, nearest_place, \
+         norm2, norm3,\n    norm4, over_arrays, power_of_two, stacked,\n)\n\n",
     );
     let fields = |name: &str, fields: &[Field]| {
         let fields: Vec<_> = fields.iter().map(|field| format!("    ('{}', {}),\n", field.name, field.len())).collect();

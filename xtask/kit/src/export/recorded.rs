@@ -85,10 +85,9 @@ impl Recorded {
 }
 
 /// The meanings of the return codes that reject inputs, one line each.
-pub(super) fn refusals(one: &Recorded) -> Vec<String> {
-    let inputs = one.formula.inputs();
+pub(super) fn refusals(inputs: &[Field], graph: &Graph) -> Vec<String> {
     let alone = inputs.iter().map(|field| format!("{}: {}", field.name, field.quantity.domain.allowed()));
-    let together = one.graph.refusals.iter().map(Error::required);
+    let together = graph.refusals.iter().map(Error::required);
     let lines = alone.chain(together).enumerate();
     lines.flat_map(|(k, what)| wrapped(&format!("{} unless {what}", k + 1))).collect()
 }
@@ -123,7 +122,7 @@ pub(super) fn description(one: &Recorded) -> Vec<String> {
     lines.iter().flat_map(|line| wrapped(line)).collect()
 }
 
-fn described(role: &str, field: &Field) -> String {
+pub(super) fn described(role: &str, field: &Field) -> String {
     let shape = match field.len() {
         1 => String::new(),
         len => format!("({len})"),
@@ -132,7 +131,7 @@ fn described(role: &str, field: &Field) -> String {
 }
 
 /// Wraps a text at spaces into lines of at most 90 characters; an empty text is an empty line.
-fn wrapped(text: &str) -> Vec<String> {
+pub(super) fn wrapped(text: &str) -> Vec<String> {
     let lines = filled(text.split_whitespace(), 90);
     if lines.is_empty() { vec![String::new()] } else { lines }
 }
@@ -243,7 +242,7 @@ mod tests {
     #[test]
     fn what_refuses_inputs_is_told_by_its_code() {
         let (recorded, _) = record(&[jointproof::catalog::find("slide_line.contact_area_parabolic").unwrap()], None);
-        let (one, lines) = (&recorded[0], refusals(&recorded[0]));
+        let (one, lines) = (&recorded[0], refusals(recorded[0].formula.inputs(), &recorded[0].graph));
         // One code per line, apart from continuation lines.
         let inputs = one.formula.inputs();
         let count = inputs.len() + one.graph.refusals.len();

@@ -1,14 +1,24 @@
-//! `export --shell`: a user routine for a finite-element program in one file, with the exported formulas that it calls.
+//! `export --shell`: a user routine for a finite-element program in one file, with the exported functions that it calls.
 //!
-//! Elements share `uel.f90` and differ in their module `jp_connector`. The text before `---` in a connector's file describes the
-//! layout of its properties, its state and its multipliers, and becomes part of the head of the element.
+//! FRIC and MPC are written by hand around formulas. An element is `uel.f90` around its recorded functions: from its fields follow
+//! the layout of its properties, its state and its multipliers, and the calls.
 
+use super::fortran::driver::passed;
+use super::fortran::element::{modules, stem};
+use super::fortran::{Fortran, RUNTIME};
 use super::language::Language;
-use super::recorded::record;
-use super::{Project, fortran::Fortran};
+use super::program::folded;
+use super::recorded::{filled, record};
 use crate::files;
+use crate::project::Project;
 use anyhow::Context;
-use jointproof::catalog::AnyFormula;
+use jointproof::catalog::{AnyElement, AnyFormula, Erased};
+use jointproof::connector::hinge::HingeElement;
+use jointproof::connector::slot::SlotElement;
+use jointproof::connector::translator::TranslatorElement;
+use jointproof::connector::ujoint::UJointElement;
+use jointproof::formula::Field;
+use jointproof::toolkit::verify::Layout;
 use std::path::Path;
 
 /// A routine to take away.
@@ -20,57 +30,99 @@ pub(super) enum Shell {
     UelTranslator,
     /// An element of Abaqus: UJOINT with friction and multipliers
     UelUjoint,
+    /// An element of Abaqus: HINGE with friction and multipliers
+    UelHinge,
     /// A friction model of Abaqus: Coulomb's, in one direction or two
     Fric,
     /// A multi-point constraint of Abaqus: SLIDER
     Mpc,
 }
 
-impl Shell {
-    /// The name of its file.
-    fn file(self) -> &'static str {
-        match self {
-            Self::UelSlot => "uel_slot.f90",
-            Self::UelTranslator => "uel_translator.f90",
-            Self::UelUjoint => "uel_ujoint.f90",
-            Self::Fric => "fric.f90",
-            Self::Mpc => "mpc.f90",
-        }
-    }
+/// Two nodes, each with translations and rotations.
+const MOTIONS: usize = 12;
+/// The places of both triads in PROPS.
+const TRIADS: usize = 18;
+/// The columns of the places and of the descriptions in the head of an element.
+const COLUMNS: [usize; 2] = [11, 19];
+/// The largest length of a line of the head.
+const WIDTH: usize = 120;
 
-    /// Its own code, in addition to the formulas.
-    fn own(self) -> String {
-        match self {
-            Self::UelSlot => element("SLOT", include_str!("shell/slot.f90")),
-            Self::UelTranslator => element("TRANSLATOR", include_str!("shell/translator.f90")),
-            Self::UelUjoint => element("UJOINT", include_str!("shell/ujoint.f90")),
-            Self::Fric => include_str!("shell/fric.f90").to_owned(),
-            Self::Mpc => include_str!("shell/mpc.f90").to_owned(),
-        }
+impl Shell {
+    /// The name of its file without the ending, and its own text with the modules that it uses.
+    fn parts(self, project: &Project) -> anyhow::Result<(String, String, Vec<String>)> {
+        let element: &dyn AnyElement = match self {
+            Self::UelSlot => &Erased::<SlotElement, 2, MOTIONS>(SlotElement),
+            Self::UelTranslator => &Erased::<TranslatorElement, 5, MOTIONS>(TranslatorElement),
+            Self::UelUjoint => &Erased::<UJointElement, 4, MOTIONS>(UJointElement),
+            Self::UelHinge => &Erased::<HingeElement, 5, MOTIONS>(HingeElement),
+            Self::Fric => return Ok(by_hand(project, "fric", include_str!("shell/fric.f90"))),
+            Self::Mpc => return Ok(by_hand(project, "mpc", include_str!("shell/mpc.f90"))),
+        };
+        let functions = [modules(element, false)?, modules(element, true)?].concat();
+        let modules = [RUNTIME.to_owned()].into_iter().chain(functions).collect();
+        Ok((format!("uel_{}", element.spec().id), uel(element), modules))
     }
 }
 
-/// An element around a connector.
-fn element(title: &str, connector: &str) -> String {
-    let (places, connector) = connector.split_once("---\n").expect("a connector has notes and a module");
-    let parameter = |name: &str| {
-        let (_, rest) = connector.split_once(&format!("{name} = ")).expect("a connector says how many it has");
-        rest.chars().take_while(char::is_ascii_digit).collect::<String>()
+/// A routine around formulas.
+fn by_hand(project: &Project, name: &str, text: &str) -> (String, String, Vec<String>) {
+    let (recorded, _) = record(&called(project, text), Some(&project.golden()));
+    let is_module = |name: &str| {
+        Path::new(name).extension().is_some_and(|extension| extension == "f90") && !name.starts_with("driver")
     };
-    let multipliers = parameter("multipliers");
-    let degrees: Vec<_> = (1..=multipliers.parse().unwrap_or(0)).map(|k: usize| k.to_string()).collect();
+    let modules = Fortran.files(&recorded).into_iter().filter(|(name, _)| is_module(name)).map(|(_, text)| text);
+    (name.to_owned(), text.to_owned(), modules.collect())
+}
+
+/// The routine around an element.
+fn uel(element: &dyn AnyElement) -> String {
+    let Layout { multipliers, start, contact, state, .. } = element.layout();
+    let count = |fields: &[Field]| fields.iter().map(Field::len).sum::<usize>();
+    let stick = TRIADS + count(start) + 1;
+    let internal: Vec<_> = (1..=count(multipliers)).map(|k| k.to_string()).collect();
+    let nodes = ["ea(:, 1), ea(:, 2), ea(:, 3), eb(:, 1), eb(:, 2), eb(:, 3), xa, xb".to_owned()];
+    let smooth = [&nodes[..], &passed(multipliers, "u", MOTIONS + 1), &passed(start, "props", TRIADS + 1)].concat();
+    let rubbing = [&smooth[..], &passed(contact, "props", stick), &passed(state, "svars", 1)].concat();
     let filled_in = [
-        ("title", title.to_owned()),
-        ("places", places.to_owned()),
-        ("states", parameter("states")),
-        ("properties", parameter("properties")),
-        ("degrees", degrees.join(", ")),
-        ("multipliers", multipliers),
+        ("title", element.spec().title.to_owned()),
+        ("parameters", places("", &[start, contact].concat(), TRIADS + 1)),
+        ("state", places("SVARS", state, 1)),
+        ("internal", places("internal", multipliers, 1)),
+        ("stick", contact.first().map_or("", |field| field.name).to_owned()),
+        ("stick_place", format!("props({stick})")),
+        ("states", count(state).to_string()),
+        ("properties", (stick + count(contact) - 1).to_string()),
+        ("degrees", internal.join(", ")),
+        ("multipliers", internal.len().to_string()),
+        ("smooth", stem(element, false)),
+        ("rubbing", stem(element, true)),
+        ("smooth_arguments", [&smooth[..], &["results(:after)".to_owned()]].concat().join(", ")),
+        ("rubbing_arguments", [&rubbing[..], &["results".to_owned()]].concat().join(", ")),
     ];
-    let uel = include_str!("shell/uel.f90").to_owned();
-    let uel = filled_in.iter().fold(uel, |text, (name, what)| text.replace(&format!("{{{name}}}"), what));
-    let (head, body) = uel.split_once("subroutine uel").expect("the element is a routine");
-    [head, "\n", include_str!("shell/element.f90"), "\n", connector, "\nsubroutine uel", body].concat()
+    let text = include_str!("shell/uel.f90").to_owned();
+    let text = filled_in.iter().fold(text, |text, (name, what)| text.replace(&format!("{{{name}}}"), what));
+    let is_code = |line: &str| !line.starts_with('!') && line.len() > WIDTH;
+    let lines = text.lines().flat_map(|line| if is_code(line) { folded(line, " &") } else { vec![line.to_owned()] });
+    lines.map(|line| line + "\n").collect()
+}
+
+/// What stands where in an array, from this place on: lines of the head of an element.
+fn places(array: &str, fields: &[Field], mut from: usize) -> String {
+    let [place, description] = COLUMNS;
+    let mut lines = Vec::new();
+    for (k, field) in fields.iter().enumerate() {
+        let to = from + field.len() - 1;
+        let range = if to > from { format!("{from}-{to}") } else { from.to_string() };
+        let meaning = format!("{}: {}", field.name, field.quantity.meaning);
+        let array = if k == 0 { array } else { "" };
+        let mut head = format!("{:<place$}{range:<1$}", format!("! {array}"), description - place);
+        for line in filled(meaning.split_whitespace(), WIDTH - description) {
+            lines.push(format!("{head}{line}\n"));
+            head = format!("{:<description$}", "!");
+        }
+        from = to + 1;
+    }
+    lines.concat()
 }
 
 /// The formulas that a text calls.
@@ -82,25 +134,14 @@ fn called(project: &Project, text: &str) -> Vec<&'static dyn AnyFormula> {
     project.catalog().iter().copied().filter(calls).collect()
 }
 
-/// Writes the routine in one file: its head, the formulas as modules, and itself.
+/// Writes the routine in one file: its head, the modules, and itself.
 pub(super) fn write(project: &Project, shell: Shell, folder: &Path) -> anyhow::Result<String> {
-    let own = shell.own();
-    let (recorded, _) = record(&called(project, &own), Some(&project.golden()));
-    let mut modules = Fortran.files(&recorded);
-    modules.retain(|(name, _)| {
-        Path::new(name).extension().is_some_and(|extension| extension == "f90") && !name.starts_with("driver")
-    });
-    let modules = in_order(modules.into_iter().map(|(_, text)| text).collect());
-    let begin = own.find("\nmodule ").or_else(|| own.find("\nsubroutine ")).context("a routine is a routine")?;
-    let begin = own[..begin].rfind("\n\n").map_or(begin, |blank| blank + 1);
-    let text = [&own[..begin], "\n", &modules.join("\n"), &own[begin..]].concat();
-    files::write(&folder.join(shell.file()), &text)?;
-    Ok(format!(
-        "{} formulas, {} lines in {}\n",
-        recorded.len(),
-        text.lines().count(),
-        folder.join(shell.file()).display()
-    ))
+    let (name, own, modules) = shell.parts(project)?;
+    let (head, body) = own.split_once("\nsubroutine ").context("a routine is a routine")?;
+    let text = [head, "\n\n", &in_order(modules).join("\n"), "\nsubroutine ", body].concat();
+    let path = folder.join(format!("{name}.f90"));
+    files::write(&path, &text)?;
+    Ok(format!("{} lines in {}\n", text.lines().count(), path.display()))
 }
 
 /// Sorts modules such that each comes after those it uses.

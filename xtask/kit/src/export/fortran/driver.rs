@@ -47,19 +47,10 @@ fn module(number: usize, group: &[Recorded]) -> String {
 
 fn subroutine(one: &Recorded) -> String {
     let (inputs, outputs) = (one.formula.inputs(), one.formula.outputs());
-    let passed = |fields: &[Field], array: &str| {
-        let mut from = 0;
-        let arguments = fields.iter().map(|field| {
-            let start = from + 1;
-            from += field.len();
-            if field.len() == 1 { format!("{array}({start})") } else { format!("{array}({start}:{from})") }
-        });
-        arguments.collect::<Vec<_>>()
-    };
     let count = |fields: &[Field]| fields.iter().map(Field::len).sum::<usize>();
     let [n, m, entries] = [count(inputs), count(outputs), one.graph.jacobian.len()];
     let jacobian = if entries > 0 { vec!["jacobian".to_owned()] } else { Vec::new() };
-    let arguments = [passed(inputs, "x"), passed(outputs, "y"), jacobian].concat();
+    let arguments = [passed(inputs, "x", 1), passed(outputs, "y", 1), jacobian].concat();
     let what = one.largest_function();
     let name = stem(one);
     format!(
@@ -71,4 +62,14 @@ fn subroutine(one: &Recorded) -> String {
          \x20   end subroutine run_{name}\n",
         arguments.join(", &\n                ")
     )
+}
+
+/// Elements of an array for these fields, from this place on.
+pub(in crate::export) fn passed(fields: &[Field], array: &str, mut from: usize) -> Vec<String> {
+    let mut next = |field: &Field| {
+        let start = from;
+        from += field.len();
+        if field.len() == 1 { format!("{array}({start})") } else { format!("{array}({start}:{})", from - 1) }
+    };
+    fields.iter().map(&mut next).collect()
 }

@@ -114,6 +114,12 @@ export function expm1(x) {
     return sum + (more * beyond(exponential, r) + lost);
 }
 
+// The nearest integer; of two that are equally near, the one farther from 0.
+export function nearestInteger(x) {
+    const whole = Math.trunc(x);
+    return Math.abs(x - whole) < 0.5 ? whole : whole + Math.sign(x);
+}
+
 // The largest power of two that is not above a positive number, within 2^-1022 and 2^1022.
 export function powerOfTwo(x) {
     bits.setFloat64(0, x);

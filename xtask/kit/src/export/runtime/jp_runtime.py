@@ -148,6 +148,12 @@ def expm1(x):
     return np.where(usual, total + (more * beyond(EXPONENTIAL, r) + lost), np.expm1(x))
 
 
+def nearest_integer(x):
+    """The nearest integer; of two that are equally near, the one farther from 0."""
+    whole = np.trunc(x)
+    return np.where(np.abs(x - whole) < 0.5, whole, whole + np.sign(x))
+
+
 def power_of_two(x):
     """The largest power of two that is not above a positive number, within 2^-1022 and 2^1022."""
     bits = np.ascontiguousarray(x, dtype=float).view(np.int64) & 0x7FF0000000000000
