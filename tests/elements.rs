@@ -87,7 +87,7 @@ fn a_contact_without_a_search_is_recorded_and_gives_its_own_bits() {
                 continue;
             }
             let graph = graph.expect(id);
-            for case in common::golden_of_element(*element).cases {
+            for case in golden_of_element(*element).cases {
                 let Ok(inputs) = components(element.inputs(rubs), &case.inputs) else { continue };
                 let Ok(value) = element.value(&inputs, rubs) else { continue };
                 let bits = |x: &[f64]| x.iter().map(|x| x.to_bits()).collect::<Vec<_>>();

@@ -6,8 +6,7 @@ use std::f64::consts::PI;
 
 impl Proved for Increment {}
 
-/// It rounds a number, which cannot be represented in its graph: jumps are therefore searched for at these cases. It jumps by a
-/// full turn at half a turn, which is not a double.
+/// It jumps by a full turn at half a turn, which is not a double.
 impl Proved for Follow {
     fn cases() -> Vec<Case<Sighting<f64>>> {
         let sighting = |angle, start, turned| Sighting { angle, start, turned };

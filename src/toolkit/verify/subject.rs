@@ -130,7 +130,6 @@ impl Subject {
                     .collect()
             },
             invalid_cases: Vec::new,
-            // With extremes, the comparisons of TRANSLATOR have too many combinations of outcomes.
             record: || Cow::Owned(graph::record_element::<E, M, DOFS>(RUBS, Extremes::Nan)),
             graph: OnceCell::new(),
             kinks: Vec::new(),
