@@ -2,6 +2,7 @@
 
 use super::{ElementAudit, audit_element};
 use crate::connector::align::AlignElement;
+use crate::connector::hinge::HingeElement;
 use crate::connector::join::JoinElement;
 use crate::connector::slider::{SliderElement, SliderElement2d};
 use crate::connector::slot::{SlotElement, SlotElement2d};
@@ -44,6 +45,7 @@ fn every_element_passes() {
         audit_element::<SlotElement2d, 1, 6>(&FEW),
         audit_element::<TranslatorElement, 5, 12>(&FEW),
         audit_element::<UJointElement, 4, 12>(&FEW),
+        audit_element::<HingeElement, 5, 12>(&FEW),
         audit_element::<SliderElement, 2, 9>(&FEW),
         audit_element::<SliderElement2d, 1, 6>(&FEW),
         audit_element::<Isl21aElement<PressureLinear>, 1, 12>(&FEW),
@@ -251,6 +253,7 @@ fn mistakes_are_caught_in_every_element() {
         unnoticed::<SlotElement2d, 1, 6>(true, true),
         unnoticed::<TranslatorElement, 5, 12>(true, false),
         unnoticed::<UJointElement, 4, 12>(true, false),
+        unnoticed::<HingeElement, 5, 12>(true, false),
         unnoticed::<SliderElement, 2, 9>(false, false),
         unnoticed::<SliderElement2d, 1, 6>(false, true),
         unnoticed::<Isl21aElement<PressureLinear>, 1, 12>(true, false),
