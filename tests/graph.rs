@@ -49,7 +49,8 @@ fn every_formula_is_recorded_and_gives_its_own_bits() {
     });
 }
 
-/// Where extremes are NaN, some results are NaN too, and their row is computed again.
+/// Where extremes are NaN, some results are NaN too, and their row is computed again. ISL22A is not recorded: its closest points
+/// compare in too many ways.
 #[test]
 fn every_element_is_recorded_and_gives_its_own_bits() {
     for (element, rubs) in ELEMENTS.iter().flat_map(|element| [(element, false), (element, true)]) {
@@ -57,6 +58,11 @@ fn every_element_is_recorded_and_gives_its_own_bits() {
             continue;
         }
         let id = element.spec().id;
+        if id.starts_with("isl22a") {
+            let is_tried = id == "isl22a_linear" && !rubs; // It takes long.
+            assert!(!is_tried || element.graph(rubs, Extremes::Nan).err() == Some(NotRecorded::Combinations(65_536)));
+            continue;
+        }
         let [by_rows, alone] = [Extremes::Nan, Extremes::Joined]
             .map(|extremes| element.graph(rubs, extremes).unwrap_or_else(|why| panic!("{id}: {why}")));
         assert_ne!(by_rows_in_words(&by_rows), "\n", "{id}, friction {rubs}: where a number is NaN, a result is");

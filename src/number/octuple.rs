@@ -101,7 +101,7 @@ impl Leaf for Octuple {
         definition()
     }
     fn nearest_integer_of(x: Self) -> Self {
-        Self(x.0.round())
+        Self::from(x.to_f64().round())
     }
     #[inline]
     fn exact_sum(products: impl IntoIterator<Item = [Self; 4]>) -> Self {

@@ -177,7 +177,8 @@ pub fn e_minus_one<D: Scalar>() -> D {
     constant(D::Leaf::e_minus_one())
 }
 
-/// The nearest integer, which has no derivative; of two that are equally near, the one farther from 0.
+/// The nearest integer, which has no derivative; of two that are equally near, the one farther from 0. In 237 bits it is that of the
+/// nearest double, so that every number type jumps at the same numbers.
 ///
 /// ```
 /// use jointproof::number::scalar::nearest_integer;
