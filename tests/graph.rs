@@ -65,7 +65,9 @@ fn every_element_is_recorded_and_gives_its_own_bits() {
         }
         let [by_rows, alone] = [Extremes::Nan, Extremes::Joined]
             .map(|extremes| element.graph(rubs, extremes).unwrap_or_else(|why| panic!("{id}: {why}")));
-        assert_ne!(by_rows_in_words(&by_rows), "\n", "{id}, friction {rubs}: where a number is NaN, a result is");
+        // A contact computes the pressure of an open place too, and leaves it out.
+        let shows = by_rows_in_words(&by_rows) != "\n" || element.layout().multipliers.is_empty();
+        assert!(shows, "{id}, friction {rubs}: where a number is NaN, a result is");
         let mut compared = 0;
         for case in common::golden_of_element(*element).cases {
             let Ok(inputs) = components(element.inputs(rubs), &case.inputs) else { continue };

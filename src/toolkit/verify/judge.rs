@@ -10,10 +10,10 @@ use crate::{Error, Octuple};
 /// Judges the results of another program for a formula.
 ///
 /// ```
+/// use jointproof::catalog::AnyFormula;
 /// use jointproof::connector::slot::ContactForce;
-/// use jointproof::toolkit::verify::Judge;
 ///
-/// let truth = Judge::of(Subject::of::<ContactForce>()).at(&[3.0, 4.0], true)?;
+/// let truth = ContactForce.judge().at(&[3.0, 4.0], true)?;
 /// assert_eq!(truth.value[0].eta(5.0), 0.0);
 /// assert!(truth.jacobian.unwrap()[0].eta(0.6 * (1.0 + 1e-6)) > 1e9);
 /// # Ok::<(), jointproof::Error>(())

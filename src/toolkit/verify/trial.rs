@@ -13,13 +13,14 @@ use crate::toolkit::equation::Equation;
 /// The values of a formula at its cases, near its kinks and at random points, in 237 bits.
 ///
 /// ```
+/// use jointproof::catalog::AnyFormula;
 /// use jointproof::toolkit::equation::Equation;
 /// use jointproof::formula::Fields;
 /// use jointproof::connector::slot::{Contact, ContactForce, CrossForces};
-/// use jointproof::toolkit::verify::{Options, Trial};
+/// use jointproof::toolkit::verify::Options;
 ///
 /// let (inputs, outputs) = (CrossForces::<f64>::FIELDS, Contact::<f64>::FIELDS);
-/// let trial = Trial::of(&Subject::of::<ContactForce>(), &Options { samples: 5, seed: 1 });
+/// let trial = ContactForce.trial(&Options { samples: 5, seed: 1 });
 /// let renamed = [("a", "f2"), ("b", "f3"), ("F", "fc")];
 /// let right = Equation::read(r"F = \sqrt{a^2 + b^2}", &renamed, inputs, outputs)?;
 /// assert!(trial.compare(&right).held());

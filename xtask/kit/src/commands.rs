@@ -92,13 +92,18 @@ fn command_line(project: &Project) -> clap::Command {
     let own = project.extension.commands.iter().map(|(command, _)| command.clone());
     let all = Arguments::command().name(project.command()).bin_name(project.command()).subcommands(own);
     let ids = Ids(project.catalog().iter().map(|formula| formula.spec().id).collect());
-    let completed = |argument: clap::Arg| match argument.get_id().as_str() {
-        "filter" | "formula" | "against" | "id" => argument.value_parser(ids.clone()).hide_possible_values(true),
-        _ => argument,
-    };
+    let named = [("filter", None), ("formula", None), ("id", None), ("against", Some("equation"))];
     all.mut_subcommands(|command| {
         let help = command.get_after_help().map(|help| examples(project, &help.to_string()));
-        let command = command.mut_args(completed);
+        let name = command.get_name().to_owned();
+        let command = command.mut_args(|argument| {
+            let is_id = |(id, of): &(&str, Option<&str>)| argument.get_id() == *id && of.is_none_or(|of| of == name);
+            if named.iter().any(is_id) {
+                argument.value_parser(ids.clone()).hide_possible_values(true)
+            } else {
+                argument
+            }
+        });
         match help {
             Some(help) => command.after_help(help),
             None => command,

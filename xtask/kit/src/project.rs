@@ -227,19 +227,18 @@ impl Project {
     pub(crate) fn instead_of(&self, id: &str) -> String {
         let ids = self.catalog.iter().map(|formula| formula.spec().id);
         let ids: Vec<_> = ids.chain(self.elements.iter().map(|element| element.spec().id)).collect();
+        let mut families: Vec<_> = ids.iter().filter_map(|id| id.split('.').next()).collect();
+        families.sort_unstable();
+        families.dedup();
+        let of_families = families.iter().map(|family| format!("{family}.*"));
+        let mut near: Vec<_> = of_families.chain(ids.iter().map(|&id| id.to_owned())).collect();
+        near.retain(|known| strsim::osa_distance(known, id) <= id.len() / 3);
+        near.sort_by_key(|known| strsim::osa_distance(known, id));
+        near.truncate(3);
         let renamed = self.permalinks.lines().filter_map(|line| line.split_once(" -> ")).find(|(old, _)| *old == id);
-        let mut near: Vec<_> = ids.iter().map(|known| (strsim::osa_distance(known, id), *known)).collect();
-        near.sort_unstable();
-        let near: Vec<_> =
-            near.iter().take(3).filter(|(far, _)| *far <= id.len() / 3).map(|(_, known)| *known).collect();
         let meant = match renamed {
             Some((_, new)) => format!("it is now {new}"),
-            None if near.is_empty() => {
-                let mut families: Vec<_> = ids.iter().filter_map(|id| id.split('.').next()).collect();
-                families.sort_unstable();
-                families.dedup();
-                format!("families are {}", families.join(", "))
-            }
+            None if near.is_empty() => format!("families are {}", families.join(", ")),
             None => format!("did you mean {}?", near.join(" or ")),
         };
         format!("{meant}\n  `{} formulas` lists all", self.command)
