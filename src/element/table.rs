@@ -2,7 +2,7 @@
 //!
 //! A table contains only what is not defined elsewhere. Formulas are wired by the names of their fields: an input `x` is read
 //! from the output `x` of another formula, or from a given quantity of the element with that name. The meaning of a name, its
-//! unit and its allowed values are defined by the field's [`Quantity`](crate::formula::quantity::Quantity).
+//! unit and its allowed values are defined by the field's [`Quantity`].
 
 mod check;
 mod dimension;

@@ -19,7 +19,7 @@
 #![expect(clippy::inline_always, reason = "a call would write the results to memory, and wait for them there")]
 
 mod chain;
-mod fields;
+pub mod fields;
 pub mod forces;
 mod ring;
 mod segment;
