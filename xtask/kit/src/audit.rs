@@ -41,7 +41,7 @@ use std::path::PathBuf;
 pub(crate) struct Arguments {
     #[command(flatten)]
     selection: Selection,
-    /// Random points per formula; a tenth of them per element
+    /// Random points per formula; a tenth of them per element, or fewer
     #[arg(long, value_name = "N", default_value_t = Options::default().samples)]
     samples: usize,
     /// Seed of the random points

@@ -5,6 +5,7 @@ use crate::files;
 use crate::project::Project;
 use indicatif::ParallelProgressIterator;
 use jointproof::catalog::AnyElement;
+use jointproof::formula::Field;
 use jointproof::toolkit::verify::{Claim, ElementAudit, ElementFile, Options};
 use judge::audited;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
@@ -116,14 +117,20 @@ fn first_difference<'a>(place: &str, old: &'a Value, new: &'a Value) -> Option<(
 }
 
 /// An element has hundreds of results, all of which are checked: it is audited at this fraction of the random points
-/// of a formula.
+/// of a formula, and at fewer if it has more than [`FEW`] degrees of freedom, since there are as many results as their square.
 const FEWER: usize = 10;
+/// The degrees of freedom of two nodes.
+const FEW: usize = 12;
 
 /// Audits elements on all cores.
 pub(crate) fn audit(elements: &[&dyn AnyElement], options: &Options) -> Vec<ElementAudit> {
-    let options = Options { samples: options.samples.div_ceil(FEWER), ..*options };
     let bar = progress("elements", elements.len());
-    elements.par_iter().progress_with(bar).map(|element| element.audit(&options)).collect()
+    let audited = elements.par_iter().progress_with(bar).map(|element| {
+        let degrees = element.layout().unknowns.iter().map(Field::len).sum::<usize>().max(FEW);
+        let samples = (options.samples * FEW * FEW).div_ceil(FEWER * degrees * degrees);
+        element.audit(&Options { samples, ..*options })
+    });
+    audited.collect()
 }
 
 /// The report in words; empty if there are no elements.

@@ -21,7 +21,7 @@ use std::time::{Duration, Instant};
   {command} verify --samples 100    a quicker audit
   {command} verify --fresh          audits again what it knows")]
 pub(crate) struct Arguments {
-    /// Random points per formula in the audit; a tenth of them per element
+    /// Random points per formula in the audit; a tenth of them per element, or fewer
     #[arg(long, value_name = "N", default_value_t = Options::default().samples)]
     samples: usize,
     /// Audit every formula, also those of which it is known that every claim holds
