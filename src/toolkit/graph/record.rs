@@ -3,9 +3,8 @@
 use super::node::Graph;
 use super::recorder::{self, Escape, Extremes, Failure, MOST_RUNS};
 use super::traced::Traced;
-use crate::formula::element::Element;
 use crate::formula::error::Error;
-use crate::formula::proof::{self, Step};
+use crate::formula::proof::{self, ProvedElement, Step};
 use crate::formula::{Field, Fields, Formula, entries};
 use std::any::TypeId;
 use std::cell::{Cell, RefCell};
@@ -84,10 +83,13 @@ pub fn record_with<F: Formula>(extremes: Extremes) -> Result<Graph, NotRecorded>
 ///
 /// # Errors
 /// The reason why the element cannot be recorded.
-pub fn record_element<E: Element<M, DOFS>, const M: usize, const DOFS: usize>(
+pub fn record_element<E: ProvedElement<M, DOFS>, const M: usize, const DOFS: usize>(
     rubs: bool,
     extremes: Extremes,
 ) -> Result<Graph, NotRecorded> {
+    if !E::IS_RECORDED {
+        return Err(NotRecorded::Combinations(MOST_RUNS));
+    }
     let number: usize = proof::inputs::<E, M, DOFS>(rubs).iter().map(Field::len).sum();
     let step = || Step::<E, Traced, M, DOFS>::of(&(0..number).map(Traced::input).collect::<Vec<_>>(), rubs);
     let validate = || {
