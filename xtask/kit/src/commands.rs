@@ -91,7 +91,7 @@ fn run(project: &Project, matches: &ArgMatches) -> Outcome {
 fn command_line(project: &Project) -> clap::Command {
     let own = project.extension.commands.iter().map(|(command, _)| command.clone());
     let all = Arguments::command().name(project.command()).bin_name(project.command()).subcommands(own);
-    let ids = Ids(project.catalog().iter().map(|formula| formula.spec().id).collect());
+    let ids = Ids(project.ids().collect());
     let named = [("filter", None), ("formula", None), ("id", None), ("against", Some("equation"))];
     all.mut_subcommands(|command| {
         let help = command.get_after_help().map(|help| examples(project, &help.to_string()));

@@ -125,6 +125,7 @@ impl Project {
     /// # Errors
     /// If the folder is not that of this project.
     pub(crate) fn found(self, named: Option<&PathBuf>) -> Result<Self, Usage> {
+        // A test of the commands, which plants faults in a copy.
         if let Some(copy) = std::env::var_os("JOINTPROOF_ROOT") {
             return Ok(Self { root: copy.into(), ..self });
         }
@@ -215,6 +216,12 @@ impl Project {
         self.catalog.iter().copied().find(|formula| formula.spec().id == id)
     }
 
+    /// The identifiers of all formulas and elements.
+    pub(crate) fn ids(&self) -> impl Iterator<Item = &'static str> {
+        let formulas = self.catalog.iter().map(|formula| formula.spec().id);
+        formulas.chain(self.elements.iter().map(|element| element.spec().id))
+    }
+
     /// The formula with the identifier given as an argument of this option.
     ///
     /// # Errors
@@ -225,13 +232,11 @@ impl Project {
 
     /// What may be meant by an identifier that is not in the catalog, and how all are listed.
     pub(crate) fn instead_of(&self, id: &str) -> String {
-        let ids = self.catalog.iter().map(|formula| formula.spec().id);
-        let ids: Vec<_> = ids.chain(self.elements.iter().map(|element| element.spec().id)).collect();
-        let mut families: Vec<_> = ids.iter().filter_map(|id| id.split('.').next()).collect();
+        let mut families: Vec<_> = self.ids().filter_map(|id| Some(id.split_once('.')?.0)).collect();
         families.sort_unstable();
         families.dedup();
-        let of_families = families.iter().map(|family| format!("{family}.*"));
-        let mut near: Vec<_> = of_families.chain(ids.iter().map(|&id| id.to_owned())).collect();
+        let patterns = families.iter().filter(|_| id.contains('*')).map(|family| format!("{family}.*"));
+        let mut near: Vec<_> = patterns.chain(self.ids().map(str::to_owned)).collect();
         near.retain(|known| strsim::osa_distance(known, id) <= id.len() / 3);
         near.sort_by_key(|known| strsim::osa_distance(known, id));
         near.truncate(3);
@@ -301,7 +306,9 @@ impl Project {
     pub fn needs_sources(&self, command: &str) -> Result<(), Usage> {
         self.needs_project(command)?;
         let folder = self.root.display();
-        let fresh = || std::env::var_os("CARGO_MANIFEST_DIR").is_some_and(|folder| Path::new(&folder) == self.folder);
+        let by_cargo =
+            || std::env::var_os("CARGO_MANIFEST_DIR").is_some_and(|folder| Path::new(&folder) == self.folder);
+        let fresh = || self.folder.starts_with(&self.root) && by_cargo();
         match self.sources {
             _ if self.place == Place::Given => Ok(()),
             Some(sources) if sources == crate::sources::sources(&self.root) => Ok(()),
