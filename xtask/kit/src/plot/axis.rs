@@ -65,9 +65,10 @@ impl<'a> Axis<'a> {
     }
 
     /// The number at a tick.
-    pub(super) fn number(&self, value: f64) -> String {
+    pub(crate) fn number(&self, value: f64) -> String {
         let exponent = value.log10();
-        if self.logarithmic && exponent.fract() == 0.0 {
+        // A power of ten may be rounded, and so may its logarithm.
+        if self.logarithmic && (exponent - exponent.round()).abs() < 1e-9 {
             return power(rounded(exponent));
         }
         let text = match value.abs() {

@@ -1,6 +1,7 @@
 //! A line chart in the colours of the theme: the text colour for axes and the first curve, other colours for the next, and dashes so
 //! that curves are not distinguished by colour alone.
 
+use super::drawing::Look;
 use super::{Axis, Drawing};
 
 /// A curve with its name, written at one of its points.
@@ -33,8 +34,11 @@ const ACROSS: [f64; 2] = [66.0, 580.0];
 const UP: [f64; 2] = [300.0, 30.0];
 
 /// Attributes and no classes: a chart may be on no page.
-const ATTRIBUTES: &str =
-    " class=\"chart\" fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\" font-size=\"13\"";
+const LOOK: Look = Look {
+    whole: r#" class="chart" fill="none" stroke-linecap="round" stroke-linejoin="round" font-size="13""#,
+    element,
+    line: 19.0,
+};
 
 /// Colour and dashes, curve by curve.
 const STYLES: [(&str, &str); 4] = [
@@ -45,7 +49,7 @@ const STYLES: [(&str, &str); 4] = [
 ];
 
 /// The attributes of an element; a curve and its name are `curve` and `label` with its number.
-fn look(kind: &str) -> String {
+fn element(kind: &str) -> String {
     let (kind, detail) = kind.split_once(' ').unwrap_or((kind, ""));
     let (colour, dashes) = STYLES[detail.parse().unwrap_or(0) % STYLES.len()];
     match kind {
@@ -61,7 +65,7 @@ fn look(kind: &str) -> String {
 impl Chart<'_> {
     /// The SVG element.
     pub fn svg(&self) -> String {
-        let mut drawing = Drawing::new(([600.0, 346.0], 19.0, ATTRIBUTES), look, self.title, self.description);
+        let mut drawing = Drawing::new([600.0, 346.0], &LOOK, self.title, self.description);
         drawing.below(&self.x, ACROSS, UP, |tick| self.x.number(tick));
         drawing.left(&self.y, UP, ACROSS, |tick| self.y.number(tick));
         for (k, curve) in self.curves.iter().enumerate() {

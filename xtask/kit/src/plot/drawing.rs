@@ -6,31 +6,32 @@ use std::fmt::Write;
 /// A drawing in progress.
 pub(crate) struct Drawing {
     svg: String,
-    /// The attributes of an element of this kind.
-    look: fn(&str) -> String,
-    /// The height of a line of text.
-    line: f64,
+    look: &'static Look,
 }
 
-/// The look of a drawing on a page, whose style sheet has rules for the kinds of elements.
-pub(crate) fn by_class(kind: &str) -> String {
-    format!("class=\"{kind}\"")
+/// The look of a drawing.
+pub(crate) struct Look {
+    /// The attributes of the whole drawing.
+    pub(crate) whole: &'static str,
+    /// The attributes of an element of this kind.
+    pub(crate) element: fn(&str) -> String,
+    /// The height of a line of text.
+    pub(crate) line: f64,
 }
+
+/// The look on a page, whose style sheet has rules for the kinds of elements.
+pub(crate) const BY_CLASS: Look = Look { whole: "", element: |kind| format!("class=\"{kind}\""), line: 14.5 };
 
 impl Drawing {
-    /// With its attributes, and a title and a description for readers who cannot see it.
-    pub(crate) fn new(
-        ([width, height], line, attributes): ([f64; 2], f64, &str),
-        look: fn(&str) -> String,
-        title: &str,
-        description: &str,
-    ) -> Self {
+    /// With a title and a description for readers who cannot see it.
+    pub(crate) fn new([width, height]: [f64; 2], look: &'static Look, title: &str, description: &str) -> Self {
+        let whole = look.whole;
         let [title, description] = [title, description].map(escape);
         let svg = format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" role=\"img\"{attributes}>\
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" role=\"img\"{whole}>\
              <title>{title}</title><desc>{description}</desc>"
         );
-        Self { svg, look, line }
+        Self { svg, look }
     }
 
     pub(crate) fn line(&mut self, kind: &str, from: [f64; 2], to: [f64; 2]) {
@@ -48,16 +49,17 @@ impl Drawing {
                 pen = 'M';
             }
         }
-        let _ = write!(self.svg, "<path {} d=\"{d}\"/>", (self.look)(kind));
+        let _ = write!(self.svg, "<path {} d=\"{d}\"/>", (self.look.element)(kind));
     }
 
     pub(crate) fn text(&mut self, kind: &str, [x, y]: [f64; 2], text: &str) {
-        let _ = write!(self.svg, "<text {} x=\"{x:.1}\" y=\"{y:.1}\">{}</text>", (self.look)(kind), escape(text));
+        let _ =
+            write!(self.svg, "<text {} x=\"{x:.1}\" y=\"{y:.1}\">{}</text>", (self.look.element)(kind), escape(text));
     }
 
     /// An outline, relative to its centre.
     pub(crate) fn mark(&mut self, kind: &str, outline: &str, [x, y]: [f64; 2]) {
-        let _ = write!(self.svg, "<path {} d=\"M{x:.1} {y:.1}{outline}\"/>", (self.look)(kind));
+        let _ = write!(self.svg, "<path {} d=\"M{x:.1} {y:.1}{outline}\"/>", (self.look.element)(kind));
     }
 
     /// The horizontal axis between these ends, with grid lines from `y` up to `top`.
@@ -71,10 +73,10 @@ impl Drawing {
         for &tick in &axis.ticks {
             let x = axis.at(tick, ends);
             self.line("grid", [x, y], [x, top]);
-            self.text("tick middle", [x, y + self.line], &number(tick));
+            self.text("tick middle", [x, y + self.look.line], &number(tick));
         }
         self.line("axis", [ends[0], y], [ends[1], y]);
-        self.text("name end", [ends[1], y + 2.0 * self.line], axis.label);
+        self.text("name end", [ends[1], y + 2.0 * self.look.line], axis.label);
     }
 
     /// The vertical axis between these ends, with grid lines from `x` to `right`.

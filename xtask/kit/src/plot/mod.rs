@@ -7,4 +7,4 @@ mod drawing;
 pub use axis::Axis;
 pub(crate) use axis::{power, rounded};
 pub use chart::{Chart, Curve};
-pub(crate) use drawing::{Drawing, by_class};
+pub(crate) use drawing::{BY_CLASS, Drawing};

@@ -2,7 +2,7 @@
 
 use super::style::{Style, style};
 use crate::console::figure;
-use crate::plot::{Axis, Drawing, by_class, power, rounded};
+use crate::plot::{Axis, BY_CLASS, Drawing};
 use jointproof::toolkit::measure::{Curve, Measurement};
 
 const WIDTH: f64 = 360.0;
@@ -22,10 +22,9 @@ pub(crate) fn curve(measurement: &Measurement) -> String {
     let y = Axis::decades("relative error of the Jacobian (median)", errors.chain([FLOOR, 1.0]), FLOOR);
 
     let title = format!("{}: error of differences over their step", measurement.formula);
-    let mut drawing = Drawing::new(([WIDTH, HEIGHT], 14.5, ""), by_class, &title, &description(curves));
-    let number = |value: f64| power(rounded(value.log10()));
-    drawing.below(&x, ACROSS, UP, number);
-    drawing.left(&y, UP, ACROSS, number);
+    let mut drawing = Drawing::new([WIDTH, HEIGHT], &BY_CLASS, &title, &description(curves));
+    drawing.below(&x, ACROSS, UP, |step| x.number(step));
+    drawing.left(&y, UP, ACROSS, |error| y.number(error));
     let closed = measurement.method("closed").and_then(|method| method.jacobian.as_ref());
     if let Some(closed) = closed {
         let error = closed.random.relative;

@@ -1,7 +1,7 @@
 //! Overview of one family: one row per formula, time from left to right.
 
 use super::style::{Style, style, time};
-use crate::plot::{Axis, Drawing, by_class};
+use crate::plot::{Axis, BY_CLASS, Drawing};
 use jointproof::toolkit::measure::{Measurement, MethodFigures};
 
 const WIDTH: f64 = 760.0;
@@ -26,7 +26,7 @@ pub(crate) fn overview(family: &str, measurements: &[&Measurement]) -> String {
 
     let title = format!("{family}: time for value and Jacobian");
     let description = "A row a formula; the table below has the same figures.";
-    let mut drawing = Drawing::new(([WIDTH, bottom + 36.0], 14.5, ""), by_class, &title, description);
+    let mut drawing = Drawing::new([WIDTH, bottom + 36.0], &BY_CLASS, &title, description);
     drawing.below(&x, ACROSS, [bottom, TOP - 6.0], time);
     legend(&mut drawing);
     let mut y = TOP + ROW / 2.0;

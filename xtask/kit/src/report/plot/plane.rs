@@ -1,7 +1,7 @@
 //! The speed/error plane of one formula.
 
 use super::style::{style, time};
-use crate::plot::{Axis, Drawing, by_class, power, rounded};
+use crate::plot::{Axis, BY_CLASS, Drawing, power, rounded};
 use crate::report::pareto::front;
 use crate::report::tables::duration;
 use jointproof::toolkit::measure::Measurement;
@@ -46,8 +46,7 @@ pub(crate) fn plane(measurement: &Measurement) -> String {
     let ranked: Vec<_> = points.iter().map(|point| (point.time, point.eta.max(FLOOR))).collect();
     let unbeaten = front(&ranked);
 
-    let mut drawing =
-        Drawing::new(([WIDTH, HEIGHT], 14.5, ""), by_class, &title(measurement), &description(&points, &unbeaten));
+    let mut drawing = Drawing::new([WIDTH, HEIGHT], &BY_CLASS, &title(measurement), &description(&points, &unbeaten));
     drawing.below(&x, ACROSS, UP, time);
     let number = |eta: f64| match rounded(eta.log10()) {
         -1 => "≤ 0.1".to_owned(),
