@@ -240,12 +240,17 @@ pub(crate) fn direction_of_length<D: Scalar, const N: usize>(x: [D; N], length: 
     if length >= f64::MIN_POSITIVE { divide(x, length) } else { direction_of_subnormal(x) }
 }
 
+/// Tells the compiler that the branch in which this is called is seldom taken, as `std::hint::cold_path` does in newer Rust.
+#[cold]
+#[inline]
+pub(crate) fn cold_path() {}
+
 /// The direction of a vector of subnormal length. Such a length has lost digits that the direction needs; scaling by a
 /// power of two recovers them.
 #[inline(always)]
 #[expect(clippy::inline_always, reason = "a call would need the components in memory, on the way that is usual too")]
 fn direction_of_subnormal<D: Scalar, const N: usize>(x: [D; N]) -> [D; N] {
-    std::hint::cold_path();
+    cold_path();
     let x = x.map(|x| x * power_of_two(60));
     divide(x, norm(x))
 }

@@ -1,7 +1,7 @@
 //! Lengths of vectors whose squared components may over- or underflow.
 
 use crate::number::power::power_of_two;
-use crate::number::scalar::{Scalar, abs, direction_of_length, is_between, number_if, sum_of_squares};
+use crate::number::scalar::{Scalar, abs, cold_path, direction_of_length, is_between, number_if, sum_of_squares};
 
 /// The range in which sums of squares need no scaling, and the power of two that scales everything else into it.
 pub(crate) struct Squares {
@@ -41,7 +41,7 @@ impl Squares {
         reason = "a call would need the components in memory, on the way that is usual too"
     )]
     fn rescaled<D: Scalar, const N: usize>(&self, x: [D; N]) -> D {
-        std::hint::cold_path();
+        cold_path();
         let large = x.iter().any(|&x| abs(x) > 1.0);
         let factor = if large { self.rescale.recip() } else { self.rescale };
         sum_of_squares(x.map(|x| x * factor)).sqrt() / factor

@@ -5,7 +5,7 @@
 use super::span::Span;
 use crate::formula::{Formula, Jacobian, ValueAndJacobian};
 use crate::number::binade::Binade;
-use crate::number::scalar::{Scalar, number_if};
+use crate::number::scalar::{Scalar, cold_path, number_if};
 use nalgebra::{Vector2, Vector3};
 
 /// A vector d in terms of the axis e in the cross product of t1 = d×e/|d×e|: axis 1, or axis 3 where d2 = d3 = 0 exactly.
@@ -106,7 +106,7 @@ impl<D: Scalar> Across<D> {
     fn about_k(d: &Vector3<D>) -> Option<Self> {
         let axis = Axis::of(d);
         (axis.along_i && D::has_extremes()).then(|| {
-            std::hint::cold_path();
+            cold_path();
             Self::about(Axis { along_i: true }, d)
         })
     }

@@ -63,6 +63,12 @@ impl<F: Formula> pulp::WithSimd for Vectors<'_, '_, F> {
 /// The maximum number of components of a formula, in or out.
 const MOST: usize = 32;
 
+/// The lanes of a column.
+fn cells<T>(column: &Cell<Column<T>>) -> &[Cell<T>; LANES] {
+    let column: &Cell<[T]> = column;
+    column.as_slice_of_cells().try_into().expect("a column has this length")
+}
+
 /// Evaluates a formula for every lane. The loops have no dependence between lanes, so that the compiler can vectorise them.
 #[inline(always)]
 fn run<F: Formula, T: Number>(wiring: &Wiring, lanes: &mut Lanes<'_, T>, failures: &mut Vec<Failure>) {
@@ -74,9 +80,9 @@ fn run<F: Formula, T: Number>(wiring: &Wiring, lanes: &mut Lanes<'_, T>, failure
         lasting.get(register).unwrap_or_else(|| &passing[register - lasting.len()])
     };
     // Looked up once per block, so that the loops below have all addresses.
-    let mut from = [column(0).as_array_of_cells(); MOST];
+    let mut from = [cells(column(0)); MOST];
     for (place, &register) in from.iter_mut().zip(&wiring.inputs) {
-        *place = column(register).as_array_of_cells();
+        *place = cells(column(register));
     }
     let count = lanes.count.min(LANES);
     // Kept separate from the registers, so that no input waits for an output that might be the same.

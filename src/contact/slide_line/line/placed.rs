@@ -82,8 +82,8 @@ impl<D: Scalar> PlacedLine<D> {
 
     /// The nodes of a piece that has N of them.
     pub(super) fn nodes_of<const N: usize>(&self, piece: Piece) -> [Vector2<D>; N] {
-        let nodes = &self.nodes[self.range(piece)];
-        *nodes.as_array().expect("the interpolation and the piece tell how many nodes there are")
+        let nodes = self.nodes[self.range(piece)].try_into();
+        nodes.expect("the interpolation and the piece tell how many nodes there are")
     }
 
     fn check_segment(&self, segment: usize) -> Result<(), Error> {

@@ -19,13 +19,8 @@ use super::deferred::Deferred;
 use super::fault::Faults;
 use super::output::write;
 use super::preprocessor::Formulary;
+use super::theme::{SHEETS, Theme};
 use super::{links, mend, moving, permalinks, search, source};
-
-/// The theme of a book without its own `theme`.
-const THEME: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../book/theme");
-
-/// Its style sheets, in addition to those of mdBook.
-const SHEETS: [&str; 2] = ["book.css", "code.css"];
 
 /// The age up to which the partial folder of another run is left alone, in case that run is still going.
 const STALE: Duration = Duration::from_mins(10);
@@ -64,9 +59,9 @@ pub(crate) fn build(root: &Path, options: &Options, content: Content) -> Result<
     let content = Rc::new(content);
     let later = Rc::new(Deferred::default());
     let book = root.join("book");
-    let theme = if book.join("theme").exists() { book.join("theme") } else { PathBuf::from(THEME) };
-    let (title, chapters) = render(&book, &theme, &partial.0, &content, &later)?;
-    finish(root, &theme, &partial.0, &title, &content, &later)?;
+    let theme = Theme::of(&book)?;
+    let (title, chapters) = render(&book, theme.folder(), &partial.0, &content, &later)?;
+    finish(root, theme.folder(), &partial.0, &title, &content, &later)?;
     partial.replace(&out)?;
     Ok(Summary {
         index: out.join("index.html"),

@@ -32,6 +32,7 @@ mod speed;
 mod tables;
 #[cfg(test)]
 mod tests;
+mod theme;
 mod visit;
 mod worked;
 

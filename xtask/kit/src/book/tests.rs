@@ -59,8 +59,6 @@ fn book_of(root: &Path, chapter: &str, content: Content) -> anyhow::Result<()> {
     file("src/SUMMARY.md", "# Summary\n\n- [One](one.md)\n");
     file("src/one.md", chapter);
     file("figures/plain.svg", "<svg viewBox=\"0 0 1 1\"><title>Plain</title><path d=\"M0 0\"/></svg>\n");
-    file("theme/book.css", "");
-    file("theme/code.css", "");
     build(root, &Options::default(), content).map(|_| ())
 }
 
