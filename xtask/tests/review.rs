@@ -20,6 +20,7 @@ fn main() -> ExitCode {
     // Listing or filtering tests runs none of these.
     if std::env::args().len() == 1 {
         a_failing_audit_stands_on_the_line_of_the_derivative();
+        a_failing_audit_of_a_change_stands_on_the_changed_line();
         what_is_missing_is_no_finding_and_fails();
     }
     ExitCode::SUCCESS
@@ -54,14 +55,9 @@ fn a_failing_audit_stands_on_the_line_of_the_derivative() {
 
     let github = audit("github");
     let errors: Vec<_> = github.lines().filter(|line| line.starts_with("::error ")).collect();
-    assert!(!errors.is_empty(), "{github}");
-    for error in errors {
-        assert!(
-            error.starts_with(&format!("::error file=src/broken.rs,line={line},title=broken.square%3A ")),
-            "{error}"
-        );
-        assert!(error.contains("--point '{\"a\":"), "{error}");
-    }
+    let [error] = errors[..] else { panic!("one fault is one annotation: {github}") };
+    assert!(error.starts_with(&format!("::error file=src/broken.rs,line={line},title=broken.square%3A ")), "{error}");
+    assert!(error.contains("--point '{\"a\":") && error.contains("%0Aalso: broken.square: "), "{error}");
     let summary = std::fs::read_to_string(review.0.path().join("summary.md")).unwrap();
     assert!(summary.contains("broken.square"), "{summary}");
 
@@ -77,9 +73,28 @@ fn a_failing_audit_stands_on_the_line_of_the_derivative() {
 
     let rdjson: Value = serde_json::from_str(&audit("rdjson")).unwrap();
     let diagnostics = rdjson["diagnostics"].as_array().unwrap();
-    assert_eq!(diagnostics.len(), results.len());
+    assert_eq!(diagnostics.len(), 1, "{diagnostics:?}");
     assert_eq!(diagnostics[0]["location"]["path"], "src/broken.rs");
     assert_eq!(diagnostics[0]["location"]["range"]["start"]["line"], line);
+}
+
+fn a_failing_audit_of_a_change_stands_on_the_changed_line() {
+    let review = Review::new();
+    let git = |arguments: &[&str]| {
+        let identity = ["-c", "user.name=a", "-c", "user.email=a@b"];
+        let output = Command::new("git").args(identity).args(arguments).current_dir(review.0.path()).output();
+        assert!(output.unwrap().status.success(), "{arguments:?}");
+    };
+    let source = review.0.path().join("src/broken.rs");
+    let text = std::fs::read_to_string(&source).unwrap();
+    let sign = text.lines().position(|line| line.contains("-2.0")).expect("the fault is a sign");
+    std::fs::write(&source, text.replace("-2.0", "2.0")).unwrap();
+    git(&["init", "--quiet"]);
+    git(&["add", "."]);
+    git(&["commit", "--quiet", "--message", "before"]);
+    std::fs::write(&source, text).unwrap();
+    let github = review.run(&["audit", "--since", "HEAD", "--samples", "20", "--format", "github"]).exits(1).stdout;
+    assert!(github.starts_with(&format!("::error file=src/broken.rs,line={},", sign + 1)), "{github}");
 }
 
 fn what_is_missing_is_no_finding_and_fails() {

@@ -3,7 +3,7 @@
 use crate::common::Bench;
 use std::fs;
 
-const REPOSITORY: [&str; 5] = ["Cargo.toml", "book/src", "src", "tests", "xtask"];
+const REPOSITORY: [&str; 6] = ["ARCHITECTURE.md", "Cargo.toml", "book/src", "src", "tests", "xtask"];
 
 /// Appends a line to a file.
 fn append(bench: &Bench, file: &str, line: &str) {
@@ -33,7 +33,7 @@ fn what_is_planted_in_the_repository_is_found_by_each_rule() {
     let mut ran = bench.run(&["tidy", "ids", "layers", "lengths", "directives"]).exits(1);
     for expected in [
         "the identifier \"slot.friction\" is typed; write `Friction::SPEC.id`",
-        "`crate::connector::slot::Friction`: numbers, quantities and errors stand below the formulas",
+        "`crate::connector::slot::Friction`: ARCHITECTURE.md has `number` below `connector`",
         "src/number/scalar.rs: ",
         "formula `slot.friction` has its entry already, at book/src/slot.md:",
     ] {

@@ -9,7 +9,7 @@ use crate::outcome::{Outcome, Usage, verdict};
 use crate::project::Project;
 use crate::review::{Finding, annotations, of_claim, rdjson, sarif, summarise};
 use crate::selection::Selection;
-use crate::since::touched;
+use crate::since::Changes;
 use anyhow::Context;
 use indicatif::ParallelProgressIterator;
 use jointproof::catalog::AnyFormula;
@@ -83,8 +83,9 @@ enum Format {
 pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     project.needs_sources("audit")?;
     let (mut formulas, chosen) = arguments.selection.formulas_and_elements(project)?;
-    if let Some(revision) = &arguments.since {
-        formulas = touched(project, &formulas, revision)?;
+    let changes = arguments.since.as_ref().map(|revision| Changes::since(project, revision)).transpose()?;
+    if let Some(changes) = &changes {
+        formulas = changes.touched(&formulas);
     }
     let options = Options { samples: arguments.samples, seed: arguments.seed };
     if let Some(shard) = arguments.shard {
@@ -118,10 +119,10 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
         Format::Github => {
             let of_both = markdown(project, &formulas, &audits, passed)? + &elements::markdown(&of_elements);
             summarise(&(of_both + &fenced(&missing)))?;
-            annotations(&findings(project, &formulas, &audits)?) + &total(&audits, passed)
+            annotations(&findings(project, &formulas, &audits, changes.as_ref())?) + &total(&audits, passed)
         }
-        Format::Sarif => sarif(&findings(project, &formulas, &audits)?)?,
-        Format::Rdjson => rdjson(&findings(project, &formulas, &audits)?)?,
+        Format::Sarif => sarif(&findings(project, &formulas, &audits, changes.as_ref())?)?,
+        Format::Rdjson => rdjson(&findings(project, &formulas, &audits, changes.as_ref())?)?,
     })?;
     if !matches!(arguments.format, Format::Text | Format::Markdown) && !missing.is_empty() {
         say(missing.concat().trim_end());
@@ -146,14 +147,19 @@ fn is_well(missing: &[String], audits: &[Audit], passed: fn(&Audit) -> bool) -> 
     missing.is_empty() && audits.iter().all(passed)
 }
 
-/// One finding for each failed claim, on the line of the function it is about.
-fn findings(project: &Project, formulas: &[&dyn AnyFormula], audits: &[Audit]) -> anyhow::Result<Vec<Finding>> {
+/// One finding for each failed claim, on the changed line or at the function that it is about.
+fn findings(
+    project: &Project,
+    formulas: &[&dyn AnyFormula],
+    audits: &[Audit],
+    changes: Option<&Changes>,
+) -> anyhow::Result<Vec<Finding>> {
     let mut findings = Vec::new();
     for audit in audits {
         let formula = formulas.iter().find(|formula| formula.spec().id == audit.formula);
         let formula = formula.context("an audit is of a formula that was asked for")?;
         for claim in audit.claims().filter(|claim| claim.failures > 0) {
-            let place = of_claim(project, *formula, &claim.claim)?;
+            let place = of_claim(project, *formula, &claim.claim, changes)?;
             let worst = claim.worst.as_ref().map_or(String::new(), |worst| in_full(claim, worst));
             let lines: Vec<_> = worst.lines().map(str::trim).collect();
             let message = format!("failed {} of {}\n{}", claim.failures, count(claim.checks, "time"), lines.join("\n"));
@@ -379,7 +385,7 @@ mod tests {
         (well.formula, badly.formula) = (ContactForce::SPEC.id.into(), Friction::SPEC.id.into());
         badly.closed_against_ad.as_mut().unwrap().failures = 1;
         badly.eta.failures = 2;
-        let found = findings(&project, &[&ContactForce, &Friction], &[well, badly]).unwrap();
+        let found = findings(&project, &[&ContactForce, &Friction], &[well, badly], None).unwrap();
         let line = |place: &crate::review::Place| {
             let text = std::fs::read_to_string(project.root().join(&place.file)).unwrap();
             format!("{}: {}", place.file, text.lines().nth(place.line - 1).unwrap().trim())

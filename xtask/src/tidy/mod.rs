@@ -12,6 +12,7 @@
 //! diverge. Treating a folder's own files as one unit would be too strict: its folders are built on some of them, and
 //! others are built on its folders.
 
+mod architecture;
 mod circles;
 mod edges;
 mod finding;
@@ -40,7 +41,7 @@ use tree::Tree;
 
 pub(crate) use reach::reach;
 
-/// Check the sources: circular imports, layers, typed identifiers, inlining, lengths, tests
+/// Check the sources: circular imports, layers, papers, typed identifiers, inlining, lengths, tests
 ///
 /// Circular imports between files or folders are not allowed, direct or indirect. An import is a `use` or a path in code that
 /// names something of another file, followed through re-exports to the file that defines it; tests do not count. In each
@@ -61,8 +62,10 @@ pub(crate) struct Arguments {
 enum Rule {
     /// No circular imports between files or folders
     Circles,
-    /// No layer uses one above it, and files of formulas neither `verify` nor `measure`
+    /// No folder uses one that is higher in ARCHITECTURE.md, and files of formulas neither `verify` nor `measure`
     Layers,
+    /// ARCHITECTURE.md names every folder of `src` and every crate, and links of papers lead somewhere
+    Papers,
     /// Identifiers of formulas are taken from `SPEC.id`
     Ids,
     /// Every `eval`, `jacobian` and `linearized` of a formula is `#[inline]`
@@ -108,6 +111,7 @@ impl Tidiness {
 fn check(root: &Path, formulas: &[&str], rules: &[Rule]) -> anyhow::Result<Tidiness> {
     let mut tree = Tree::read(root)?;
     let mut findings = std::mem::take(&mut tree.faults);
+    let order = architecture::Order::read(root)?;
     let edges = edges::edges(&tree);
     let circles = circles::circles(&tree, &edges);
     let (mut too_long, files) = lengths::too_long(root, &tree)?;
@@ -123,7 +127,8 @@ fn check(root: &Path, formulas: &[&str], rules: &[Rule]) -> anyhow::Result<Tidin
     );
     let found = [
         (Rule::Circles, circles.findings),
-        (Rule::Layers, layers::crossed(&tree, &edges)),
+        (Rule::Layers, layers::crossed(&tree, &edges, &order)),
+        (Rule::Papers, architecture::untrue(root, &tree, &order)),
         (Rule::Ids, ids::typed(&tree)),
         (Rule::Inline, inline::missing(&tree)),
         (Rule::Directives, kit::uncovered(root, formulas)?.into_iter().map(Finding::from).collect()),

@@ -40,6 +40,17 @@ fn planted(files: &[(&str, &str)]) -> TempDir {
         fs::create_dir_all(path.parent().unwrap()).unwrap();
         fs::write(path, text).unwrap();
     }
+    if !root.path().join("ARCHITECTURE.md").exists() {
+        let entries = fs::read_dir(root.path().join("src")).unwrap().map(|entry| entry.unwrap().path());
+        let names = entries.map(|path| path.file_stem().unwrap().to_str().unwrap().to_owned());
+        let mut names: Vec<_> = names.filter(|name| name != "lib").collect();
+        // Families stand above what is common to them.
+        names.sort_by_key(|name| (name != "formula", name != "toolkit", name.clone()));
+        names.dedup();
+        let rows: String = names.iter().map(|name| format!("| `{name}` | what it is |\n")).collect();
+        fs::write(root.path().join("ARCHITECTURE.md"), format!("# Folders of `src`\n\n{rows}\n# Crates\n\n`tool`\n"))
+            .unwrap();
+    }
     root
 }
 
@@ -72,6 +83,28 @@ fn one(files: &[(&str, &str)], parts: &[&str]) {
 /// The formula's file, with this inserted before its last line.
 fn one_rs(more: &str) -> String {
     TIDY[4].1.replace("fn laws() {}", &format!("fn laws() {{}}\n{more}"))
+}
+
+#[test]
+fn what_the_papers_say_is_there() {
+    let page = |rows: &'static str| [("ARCHITECTURE.md", rows)];
+    let rows = "# Folders of `src`\n\n| `formula` |\n| `toolkit` |\n| `a` |\n\n# Crates\n\n`tool` [a](src/a.rs#x) [b](https://b.c)\n";
+    assert_eq!(found(&page(rows)), Vec::<String>::new());
+    let wrong = "# Folders of `src`\n\n| `formula` |\n| `a` |\n| `scene` |\n\n# Crates\n\n[a](src/b.rs)\n";
+    assert_eq!(
+        found(&page(wrong)),
+        [
+            "ARCHITECTURE.md: the crate `tool` is not named; say what it is for",
+            "ARCHITECTURE.md: the table of folders has a row for `scene`, which is not in src",
+            "ARCHITECTURE.md: the table of folders has no row for `toolkit` of src; add one at its place",
+            "ARCHITECTURE.md:9: the link leads to src/b.rs, which is not there",
+        ]
+    );
+    let upside_down = "# Folders of `src`\n\n| `toolkit` |\n| `formula` |\n| `a` |\n\n`tool`\n";
+    one(
+        &page(upside_down),
+        &["src/toolkit.rs:1: `use crate::formula::Formula`: ARCHITECTURE.md has `toolkit` below `formula`"],
+    );
 }
 
 #[test]
@@ -265,7 +298,7 @@ fn formulas_and_rooms_do_not_use_the_toolkit() {
     let unproved = "pub mod formula;\npub mod a;\npub mod toolkit;\npub use a::One;\n";
     one(
         &[("src/toolkit.rs", verify), ("src/lib.rs", unproved), ("src/a.rs", "mod one;\npub use one::*;\n")],
-        &["src/toolkit.rs:1: `use crate::One`: the toolkit proves formulas of other crates too"],
+        &["src/toolkit.rs:1: `use crate::One`: ARCHITECTURE.md has `toolkit` below `a`"],
     );
 }
 

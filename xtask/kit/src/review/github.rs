@@ -1,14 +1,15 @@
 //! GitHub workflow commands: they need no token, and work on forks.
 
-use super::Finding;
+use super::{Finding, by_place};
 use anyhow::Context;
 use std::io::Write;
 
 /// The largest number of errors that a step shows.
 const MOST: usize = 10;
 
-/// One line per finding; the last line summarises all that a step would not show.
+/// One line for each place; the last line summarises all that a step would not show.
 pub(crate) fn annotations(findings: &[Finding]) -> String {
+    let findings = by_place(findings);
     let shown = if findings.len() > MOST { MOST - 1 } else { findings.len() };
     let mut lines: Vec<_> = findings[..shown].iter().map(annotation).collect();
     if let Some(next) = findings.get(shown) {

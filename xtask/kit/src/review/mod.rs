@@ -10,6 +10,8 @@ pub(crate) use place::{Place, of_claim};
 pub(crate) use rdjson::rdjson;
 pub(crate) use sarif::sarif;
 
+use std::fmt::Write as _;
+
 /// A failed claim.
 #[derive(Clone, Debug)]
 pub(crate) struct Finding {
@@ -21,6 +23,20 @@ pub(crate) struct Finding {
     pub(crate) message: String,
     /// Its location in the sources.
     pub(crate) place: Place,
+}
+
+/// One finding for each place, since one fault makes several claims fail, and often of several formulas. The first is kept in full.
+fn by_place(findings: &[Finding]) -> Vec<Finding> {
+    let mut places = Vec::<Finding>::new();
+    for finding in findings {
+        match places.iter_mut().find(|first| first.place == finding.place) {
+            Some(first) => {
+                write!(first.message, "\nalso: {}: {}", finding.formula, finding.claim).expect("a string takes it")
+            }
+            None => places.push(finding.clone()),
+        }
+    }
+    places
 }
 
 /// A claim as an identifier: lower-case letters, digits and `-`.
@@ -61,6 +77,18 @@ mod tests {
         assert_eq!(many.lines().count(), 10);
         assert!(many.lines().last().unwrap().ends_with("::and 3 more"), "{many}");
         assert_eq!(annotations(&[]), "");
+    }
+
+    #[test]
+    fn what_fails_at_one_place_is_one_annotation() {
+        let mut findings = findings(3);
+        findings[2].place = findings[0].place.clone();
+        let text = annotations(&findings);
+        assert_eq!(text.lines().count(), 2);
+        assert!(
+            text.lines().next().unwrap().ends_with("100%25}'%0Aalso: family.formula2: η of the value in f64"),
+            "{text}"
+        );
     }
 
     #[test]

@@ -2,6 +2,7 @@
 
 use crate::book::{CodeSpan, functions};
 use crate::project::Project;
+use crate::since::Changes;
 use jointproof::catalog::AnyFormula;
 use std::path::Path;
 
@@ -14,14 +15,34 @@ pub(crate) struct Place {
     pub(crate) line: usize,
 }
 
-/// The function that a claim is about: `jacobian` for derivatives, else `eval`. For a formula defined by a macro it is
-/// the file of its module, and for one whose sources are not here the manifest.
-pub(crate) fn of_claim(project: &Project, formula: &dyn AnyFormula, claim: &str) -> anyhow::Result<Place> {
+/// The place of a claim. If it is known what has changed: the first changed line of the function that the claim is about, of the
+/// formula's other functions, or of what the formula depends on. Else the head of the function: for derivatives `jacobian` or
+/// `linearized`, else `eval`. For a formula defined by a macro it is the file of its module, and for one whose sources are
+/// not here the manifest.
+pub(crate) fn of_claim(
+    project: &Project,
+    formula: &dyn AnyFormula,
+    claim: &str,
+    changes: Option<&Changes>,
+) -> anyhow::Result<Place> {
     let is_derivative = ["Jacobian", "closed form", "derivative"].iter().any(|word| claim.contains(word));
-    let wanted = if is_derivative { "jacobian" } else { "eval" };
-    let spans = functions(project, formula)?;
-    let named = |name: &str| spans.iter().find(|span| span.name == name);
-    if let Some(CodeSpan { file, last, first, .. }) = named(wanted).or_else(|| spans.first()) {
+    let order = if is_derivative { ["jacobian", "linearized", "eval"] } else { ["eval", "linearized", "jacobian"] };
+    let mut spans = functions(project, formula)?;
+    spans.sort_by_key(|span| order.iter().position(|name| span.name == *name));
+    if let Some(changes) = changes {
+        let within = |span: &CodeSpan| {
+            let line = changes.first(Path::new(&span.file), span.first..=span.last)?;
+            Some(Place { file: span.file.clone(), line })
+        };
+        let below = || {
+            let (file, line) = changes.below(formula)?;
+            Some(Place { file: file.to_string_lossy().replace('\\', "/"), line })
+        };
+        if let Some(place) = spans.iter().find_map(within).or_else(below) {
+            return Ok(place);
+        }
+    }
+    if let Some(CodeSpan { file, last, first, .. }) = spans.first() {
         return Ok(Place { file: file.clone(), line: head(project, file, *first, *last) });
     }
     let modules: Vec<_> = formula.path().split("::").skip(1).collect();
@@ -55,14 +76,14 @@ mod tests {
         assert_eq!([of(2, 3), of(5, 6), head(&project, "none.rs", 8, 9)], [2, 5, 8]);
     }
 
-    /// Without the wanted function it is the first function found, without any the module, and without that the manifest.
+    /// Without functions it is the module, and without that the manifest.
     #[test]
     fn a_claim_stands_at_the_nearest_place_that_there_is() {
         use jointproof::connector::slot::ContactForce;
         let root = tempfile::tempdir().unwrap();
         let project = Project::new("place", env!("CARGO_MANIFEST_DIR"), &[]).in_folder(root.path().to_str().unwrap());
         let place = |claim: &str| {
-            let Place { file, line } = of_claim(&project, &ContactForce, claim).unwrap();
+            let Place { file, line } = of_claim(&project, &ContactForce, claim, None).unwrap();
             format!("{file}:{line}")
         };
         assert_eq!(ContactForce.path(), "jointproof::connector::slot::friction::ContactForce");
@@ -74,10 +95,8 @@ mod tests {
         assert_eq!(place("symmetry"), "src/connector/slot/friction.rs:1");
         let functions = "impl Formula for ContactForce {\n    fn eval() {}\n\n    fn linearized() {}\n}\n";
         write("src/connector/slot/friction.rs", functions);
-        assert_eq!(
-            [place("symmetry"), place("derivative of the printed equation")],
-            ["src/connector/slot/friction.rs:2"; 2]
-        );
+        assert_eq!(place("symmetry"), "src/connector/slot/friction.rs:2");
+        assert_eq!(place("derivative of the printed equation"), "src/connector/slot/friction.rs:4");
     }
 
     #[test]
@@ -88,7 +107,7 @@ mod tests {
             for (claim, head) in
                 [("η of the closed-form Jacobian in f64", "fn jacobian"), ("η of the value in f64", "fn eval")]
             {
-                let Place { file, line } = of_claim(&project, *formula, claim).unwrap();
+                let Place { file, line } = of_claim(&project, *formula, claim, None).unwrap();
                 let text = std::fs::read_to_string(project.root().join(&file)).unwrap();
                 let text = text.lines().nth(line - 1).unwrap();
                 found += usize::from(text.contains(head));

@@ -1,9 +1,9 @@
 //! RDFormat, which `reviewdog` forwards to GitLab, Gerrit and Gitea.
 
-use super::{Finding, slug};
+use super::{Finding, by_place, slug};
 use serde_json::{Value, json};
 
-/// Every finding as a diagnostic.
+/// A diagnostic for each place.
 pub(crate) fn rdjson(findings: &[Finding]) -> anyhow::Result<String> {
     let diagnostic = |finding: &Finding| {
         let Finding { formula, claim, message, place } = finding;
@@ -14,6 +14,6 @@ pub(crate) fn rdjson(findings: &[Finding]) -> anyhow::Result<String> {
             "code": { "value": slug(claim) },
         })
     };
-    let diagnostics: Vec<Value> = findings.iter().map(diagnostic).collect();
+    let diagnostics: Vec<Value> = by_place(findings).iter().map(diagnostic).collect();
     Ok(serde_json::to_string_pretty(&json!({ "source": { "name": "jointproof" }, "diagnostics": diagnostics }))?)
 }
