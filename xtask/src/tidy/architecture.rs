@@ -3,6 +3,7 @@
 use super::finding::Finding;
 use super::tree::Tree;
 use pulldown_cmark::{Event, Parser, Tag};
+use std::collections::BTreeSet;
 use std::path::Path;
 
 /// The page, from the root of the project.
@@ -35,10 +36,10 @@ pub(super) fn untrue(root: &Path, tree: &Tree, order: &Order) -> Vec<Finding> {
     let mut findings = Vec::new();
     let text = |page: &str| std::fs::read_to_string(root.join(page)).unwrap_or_default();
     let architecture = text(PAGE);
-    let folders = tree.sources.iter().filter_map(|source| folder(&source.path));
-    let mut folders: Vec<_> = folders.filter(|name| *name != "lib").collect();
-    folders.sort_unstable();
-    folders.dedup();
+    let entries = std::fs::read_dir(root.join("src")).into_iter().flatten().flatten().map(|entry| entry.path());
+    let rust = entries.filter(|path| path.is_dir() || path.extension().is_some_and(|extension| extension == "rs"));
+    let names = rust.filter_map(|path| Some(path.file_stem()?.to_str()?.to_owned()));
+    let folders: BTreeSet<_> = names.filter(|name| name != "lib").collect();
     for name in &folders {
         if order.place(name).is_none() {
             findings.push(Finding::new(
@@ -48,7 +49,7 @@ pub(super) fn untrue(root: &Path, tree: &Tree, order: &Order) -> Vec<Finding> {
             ));
         }
     }
-    for name in order.0.iter().filter(|name| !folders.contains(&name.as_str())) {
+    for name in order.0.iter().filter(|name| !folders.contains(*name)) {
         findings.push(Finding::new(
             PAGE,
             0,
@@ -67,7 +68,7 @@ pub(super) fn untrue(root: &Path, tree: &Tree, order: &Order) -> Vec<Finding> {
             let Event::Start(Tag::Link { dest_url, .. } | Tag::Image { dest_url, .. }) = event else { continue };
             let path = dest_url.split('#').next().unwrap_or_default();
             if !path.is_empty() && !path.contains(':') && !root.join(path).exists() {
-                let line = text[..at.start].lines().count().max(1);
+                let line = 1 + text[..at.start].matches('\n').count();
                 findings.push(Finding::new(page, line, format!("the link leads to {path}, which is not there")));
             }
         }

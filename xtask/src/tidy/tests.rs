@@ -56,7 +56,12 @@ fn planted(files: &[(&str, &str)]) -> TempDir {
 
 /// The findings with these files.
 fn found(files: &[(&str, &str)]) -> Vec<String> {
-    let tidiness = check(planted(files).path(), &IDS, &[]).unwrap();
+    found_by(&[], files)
+}
+
+/// Those of these rules; of all if there are none.
+fn found_by(rules: &[Rule], files: &[(&str, &str)]) -> Vec<String> {
+    let tidiness = check(planted(files).path(), &IDS, rules).unwrap();
     tidiness.findings.iter().map(ToString::to_string).collect()
 }
 
@@ -73,7 +78,15 @@ fn uses(files: &[(&str, &str)]) -> Vec<String> {
 /// Asserts that there is one finding, which contains all these parts.
 #[track_caller]
 fn one(files: &[(&str, &str)], parts: &[&str]) {
-    let found = found(files);
+    says(&found(files), parts);
+}
+
+/// The only circle, which says all of this.
+fn one_circle(files: &[(&str, &str)], parts: &[&str]) {
+    says(&found_by(&[Rule::Circles], files), parts);
+}
+
+fn says(found: &[String], parts: &[&str]) {
     assert_eq!(found.len(), 1, "{found:#?}");
     for part in parts {
         assert!(found[0].contains(part), "{part:?} is not in\n{}", found[0]);
@@ -134,7 +147,7 @@ fn what_is_printed_is_every_finding_and_the_verdict() {
 
 #[test]
 fn a_circle_between_files_is_named_with_a_place_for_each_use() {
-    one(
+    one_circle(
         &[
             ("src/lib.rs", "pub mod x;\npub mod y;\n"),
             ("src/x.rs", "use crate::{\n    y::{self, Y as Z},\n};\npub struct X;\n"),
@@ -165,7 +178,7 @@ fn a_circle_is_found_through_re_exports_globs_macros_and_functions() {
         let lib = "mod x;\nmod y;\nmod all { pub(crate) use super::y::*; }\npub use x::X;\npub use y::Y as Renamed;\n";
         let x = format!("{x}{uses_x}\n");
         let y = format!("pub struct Y;\n{uses_y}\n");
-        one(
+        one_circle(
             &[("src/lib.rs", lib), ("src/x.rs", &x), ("src/y.rs", &y)],
             &["circle of 2: src/x.rs → src/y.rs → src/x.rs"],
         );
@@ -175,7 +188,7 @@ fn a_circle_is_found_through_re_exports_globs_macros_and_functions() {
 #[test]
 fn a_library_is_known_by_its_own_name() {
     let manifest = format!("{}[lib]\nname = \"other\"\n", TIDY[0].1);
-    one(
+    one_circle(
         &[
             ("Cargo.toml", &manifest),
             ("src/lib.rs", "mod x;\nmod y;\n"),
@@ -190,7 +203,10 @@ fn a_library_is_known_by_its_own_name() {
 fn a_file_that_uses_what_it_re_exports_is_in_a_circle_and_one_that_passes_it_on_is_not() {
     let tree = |p: &str| {
         let c = ("src/p/c.rs", "use super::P;\npub struct C(P);\n");
-        found(&[("src/lib.rs", "mod p;\n"), ("src/p.rs", &format!("mod c;\npub use c::C;\npub struct P;\n{p}\n")), c])
+        found_by(
+            &[Rule::Circles],
+            &[("src/lib.rs", "mod p;\n"), ("src/p.rs", &format!("mod c;\npub use c::C;\npub struct P;\n{p}\n")), c],
+        )
     };
     assert_eq!(tree(""), Vec::<String>::new());
     let found = tree("fn f(c: C) {}");
@@ -206,7 +222,10 @@ fn names_that_are_no_uses_make_no_circle() {
              fn g() { #![rule(crate::X)] #[rule(crate::X)] let one = 1; }\n\
              use super::*;\nfn h(run: f64) -> [f64; 1] { let f = |run| run; f(run); [run] }\n";
     assert_eq!(
-        found(&[("src/lib.rs", lib), ("src/x.rs", "use super::Y;\npub struct X;\npub fn run() {}\n"), ("src/y.rs", y)]),
+        found_by(
+            &[Rule::Circles],
+            &[("src/lib.rs", lib), ("src/x.rs", "use super::Y;\npub struct X;\npub fn run() {}\n"), ("src/y.rs", y)]
+        ),
         Vec::<String>::new()
     );
 }
@@ -220,7 +239,7 @@ fn a_circle_between_folders_is_found_where_no_file_is_in_one() {
         ("src/p/high.rs", "use crate::q::Q;\n"),
         ("src/q/mod.rs", "use crate::p::low::Low;\npub struct Q(Low);\n"),
     ];
-    one(&files, &["2 folders or files use one another: src/p/, src/q/;", "src/p/high.rs:1: use crate::q::Q"]);
+    one_circle(&files, &["2 folders or files use one another: src/p/, src/q/;", "src/p/high.rs:1: use crate::q::Q"]);
     // The same within a folder, between its parent file and a folder in it.
     let inner = [
         ("src/lib.rs", "mod p;\n"),
@@ -229,7 +248,7 @@ fn a_circle_between_folders_is_found_where_no_file_is_in_one() {
         ("src/p/c/low.rs", "pub fn g() {}\n"),
         ("src/p/c/high.rs", "use crate::p::P;\n"),
     ];
-    one(&inner, &["2 folders or files use one another: src/p.rs, src/p/c/;"]);
+    one_circle(&inner, &["2 folders or files use one another: src/p.rs, src/p/c/;"]);
 }
 
 #[test]
