@@ -1,15 +1,18 @@
 //! `formulas`: lists the formulas.
 
-use crate::console::{bold, print};
+use crate::console::{bold, show};
+use crate::mathematics::as_text;
 use crate::outcome::{Outcome, verdict};
 use crate::project::Project;
 use crate::selection::Selection;
 use jointproof::catalog::AnyFormula;
 use jointproof::formula::Field;
+use std::io::{IsTerminal, stdout};
 
 /// List the formulas, or show them in full
 ///
-/// Identifier and title, a line each; with --show also source, equation, inputs and outputs in order, bounds and kinks.
+/// Identifier and title, a line each; with --show also source, equation, inputs and outputs in order, bounds and kinks. On a
+/// terminal equations are text; elsewhere they are LaTeX, as the command `equation` reads it.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   {command} formulas                               all of them
@@ -33,23 +36,24 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     };
     let width = formulas.iter().map(|formula| formula.spec().id.len()).max().unwrap_or_default();
     let line = |formula: &&dyn AnyFormula| format!("{:width$}  {}\n", formula.spec().id, formula.spec().title);
+    let mathematics: fn(&str) -> String = if stdout().is_terminal() { as_text } else { str::to_owned };
     let text: Vec<_> = if arguments.show {
-        formulas.iter().map(|formula| shown(*formula)).collect()
+        formulas.iter().map(|formula| shown(*formula, mathematics)).collect()
     } else {
         formulas.iter().map(line).collect()
     };
-    print(&text.concat())?;
+    show(&text.concat())?;
     Ok(verdict(true))
 }
 
-fn shown(formula: &dyn AnyFormula) -> String {
+fn shown(formula: &dyn AnyFormula, mathematics: fn(&str) -> String) -> String {
     let spec = formula.spec();
     let mut text = format!("{}  {}\n    {}; {}\n", bold(spec.id), spec.title, spec.source, spec.source.provenance);
-    let mut lines = vec![spec.latex.to_owned()];
+    let mut lines: Vec<_> = mathematics(spec.latex).lines().map(str::to_owned).collect();
     lines.extend(formula.inputs().iter().map(|field| described("in", field)));
     lines.extend(formula.outputs().iter().map(|field| described("out", field)));
     lines.push(format!("{}, at sizes {}", spec.accuracy(), spec.sizes()));
-    lines.extend(formula.kinks().iter().map(|kink| format!("kink: {}", kink.condition)));
+    lines.extend(formula.kinks().iter().map(|kink| format!("kink: {}", mathematics(&kink.condition))));
     text.extend(lines.iter().flat_map(|line| ["    ", line, "\n"]));
     text
 }

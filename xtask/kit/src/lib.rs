@@ -28,6 +28,7 @@ mod extension;
 pub mod files;
 mod formulas;
 mod golden;
+mod mathematics;
 mod missing;
 mod new;
 mod outcome;

@@ -1,7 +1,7 @@
 //! `verify`: requirements on formulas, golden files, audit, chapters and book, with a short summary.
 
 use crate::book::{Summary, build_book};
-use crate::console::{self, count, green, print, red, say};
+use crate::console::{self, count, green, red, say, show};
 use crate::golden::{self, Checked};
 use crate::outcome::{Outcome, verdict};
 use crate::project::Project;
@@ -53,7 +53,7 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     }
     steps.push(step("prose", || check_prose(project))?);
     steps.push(step("book", || Ok(check_book(project)))?);
-    print(&summary(&steps))?;
+    show(&summary(&steps))?;
     Ok(verdict(steps.iter().all(|step| step.passed)))
 }
 
