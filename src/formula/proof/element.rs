@@ -132,7 +132,7 @@ pub trait ProvedElement<const M: usize, const DOFS: usize = 12>: Element<M, DOFS
     /// Whether its operations are recorded: not those of a search, whose comparisons come out in too many ways.
     const IS_RECORDED: bool = true;
 
-    /// Hand-worked and hard cases; random ones are added automatically.
+    /// Hand-worked and hard cases, the first of them valid; random ones are added automatically.
     fn cases() -> Vec<Case<Step<Self, f64, M, DOFS>>>;
 
     /// A realistic step, made from one whose components were drawn one by one.

@@ -62,30 +62,30 @@ pub(super) fn describe(fields: &[Field]) -> Vec<Description> {
 /// All cases of a formula: its own, random ones, and every kind of invalid input.
 pub(crate) fn cases(subject: &Subject, least_random: usize) -> Vec<Case<Vec<f64>>> {
     let own = (subject.cases)().len();
-    cases_with(subject, least_random.max(LEAST_CASES.saturating_sub(own)))
+    cases_with(subject, least_random.max(LEAST_CASES.saturating_sub(own)), None)
 }
 
-/// The same with a given number of random cases.
-pub(super) fn cases_with(subject: &Subject, random: usize) -> Vec<Case<Vec<f64>>> {
+/// The same with a given number of random cases. Invalid ones differ from the valid point, or one drawn at random, in one number.
+pub(super) fn cases_with(subject: &Subject, random: usize, valid: Option<&[f64]>) -> Vec<Case<Vec<f64>>> {
     let mut cases = (subject.cases)();
     let mut sampler = Sampler::for_formula(subject.spec.id, SEED);
     let drawn = (0..random * CANDIDATES).map(|_| sampler.components(subject)).collect();
     let chosen = spread(subject, drawn, random).into_iter().zip(1..);
     cases.extend(chosen.map(|(inputs, k)| Case::new(Flag::Random, format!("random-{k}"), "", inputs)));
-    cases.extend(out_of_domain(subject));
+    let drawn = || Sampler::for_formula(subject.spec.id, SEED).components(subject);
+    cases.extend(out_of_domain(subject, &valid.map_or_else(drawn, <[f64]>::to_vec)));
     cases.extend((subject.invalid_cases)());
     cases
 }
 
 /// Every input in turn not finite, and outside its domain.
-fn out_of_domain(subject: &Subject) -> Vec<Case<Vec<f64>>> {
-    let valid = Sampler::for_formula(subject.spec.id, SEED).components(subject);
+fn out_of_domain(subject: &Subject, valid: &[f64]) -> Vec<Case<Vec<f64>>> {
     let mut invalid = Vec::new();
     let mut end = 0;
     for field in subject.inputs {
         end += field.len();
         for (what, value) in bad_values(field.quantity.domain) {
-            let mut components = valid.clone();
+            let mut components = valid.to_vec();
             components[end - 1] = value;
             invalid.push(Case::invalid(format!("{}-{what}", field.name), "", components));
         }

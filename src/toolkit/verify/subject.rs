@@ -137,11 +137,6 @@ impl Subject {
         }
     }
 
-    /// The values in dual numbers over 237 bits.
-    pub(crate) fn swept(&self, i: &[Sweep<Octuple>]) -> Vec<Sweep<Octuple>> {
-        (self.dual_value)(i)
-    }
-
     /// The Jacobian by automatic differentiation.
     pub(crate) fn derivative(&self, exact: &[Octuple]) -> Vec<Octuple> {
         self.derivative_of()(exact)

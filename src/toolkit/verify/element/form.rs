@@ -229,27 +229,38 @@ impl Form {
             sizes.map(|(gradient, &value)| Sensitivity::new(gradient, &inputs).plus(value).size()).collect();
         let directions = self.directions(layout, &inputs);
         let (n, m, all) = (layout.degrees(), layout.conditions(), directions.len());
-        let (mut slopes, mut motions, mut rubbed, mut work) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        // By the chain rule, which takes less time than another sweep through the element.
+        let along = |result: usize, direction: &[Octuple]| {
+            let gradient = &gradients[result * inputs.len()..][..inputs.len()];
+            let moving = gradient.iter().zip(direction).filter(|(_, by)| !by.is_zero());
+            moving.fold(Octuple::zero(), |sum, (&slope, &by)| sum + slope * by)
+        };
+        let slopes = |first: usize, count: usize| Matrix::from_fn(count, all, |k, d| along(first + k, &directions[d]));
+        let (first_after, states) = (values.len() - count(layout.state), count(layout.state));
+        let (mut motions, mut rubbed, mut work) = (Vec::new(), Vec::new(), Vec::new());
         for few in directions.chunks(WIDTH) {
             let seeded: Vec<_> = inputs.iter().enumerate().map(|(k, &x)| seed(x, few, k)).collect();
-            let results = self.subject.swept(&seeded);
             // Without friction there is no state.
-            let nothing = vec![Sweep::from_re(Octuple::zero()); count(layout.state)];
-            let after = if self.rubs { &results[results.len() - nothing.len()..] } else { &nothing };
-            let frictions = if self.rubs { (self.rubbed)(&seeded, after) } else { Vec::new() };
-            let loads = (self.work)(&seeded, after);
+            let after: Vec<_> = (0..states)
+                .map(|k| match self.rubs {
+                    true => sweep(values[first_after + k], |d| {
+                        along(first_after + k, few.get(d).map_or(&[], Vec::as_slice))
+                    }),
+                    false => Sweep::from_re(Octuple::zero()),
+                })
+                .collect();
+            let frictions = if self.rubs { (self.rubbed)(&seeded, &after) } else { Vec::new() };
+            let loads = (self.work)(&seeded, &after);
             for direction in 0..few.len() {
                 work.push(slope(&loads, direction));
-                slopes.extend(results.iter().map(|x| slope(x, direction)));
                 motions.extend(frictions.iter().map(|friction| slope(&friction.motion, direction)));
             }
             rubbed = frictions.iter().map(real_part).collect();
         }
-        let slopes = Matrix::from_vec(values.len(), all, slopes);
         let motions = Matrix::from_vec(rubbed.len(), all, motions);
         let derivative = Derivatives {
-            residuals: slopes.rows(0, m).into_owned(),
-            forces: slopes.rows(m + m * n, n).into_owned(),
+            residuals: slopes(0, m),
+            forces: slopes(m + m * n, n),
             motions: motions.columns(0, n).into_owned(),
             work: Vector::from_vec(work[..n].to_vec()),
         };
@@ -349,7 +360,11 @@ fn slope(x: &Sweep<Octuple>, direction: usize) -> Octuple {
 
 /// The k-th input, with its derivatives along these directions.
 fn seed(x: Octuple, directions: &[Vec<Octuple>], k: usize) -> Sweep<Octuple> {
-    let along = |d: usize| directions.get(d).map_or_else(Octuple::zero, |direction| direction[k]);
+    sweep(x, |d| directions.get(d).map_or_else(Octuple::zero, |direction| direction[k]))
+}
+
+/// A number with these derivatives.
+fn sweep(x: Octuple, along: impl Fn(usize) -> Octuple) -> Sweep<Octuple> {
     Sweep::new(x, Derivative::some(SVector::from_fn(|d, _| along(d))))
 }
 

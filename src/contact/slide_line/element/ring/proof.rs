@@ -19,16 +19,24 @@ trait Law: PressureLaw {
     const PARAMETERS: Self::Parameters<f64>;
     /// What contact without overclosure is: a kink where the pressure begins there.
     const TOUCHING: Flag;
+    /// Whether this pose shows something of the law. Those about the line alone are shown with the linear law.
+    fn is_shown(pose: &str) -> bool;
 }
 
 impl Law for PressureLinear {
     const PARAMETERS: LinearLaw<f64> = LinearLaw { k: 64.0 };
     const TOUCHING: Flag = Flag::Kink;
+    fn is_shown(_: &str) -> bool {
+        true
+    }
 }
 
 impl Law for PressureExponential {
     const PARAMETERS: ExponentialLaw<f64> = ExponentialLaw { c0: 0.5, p0: 20.0 };
     const TOUCHING: Flag = Flag::Hard;
+    fn is_shown(pose: &str) -> bool {
+        ["washer", "chain", "touching", "barely", "open"].contains(&pose)
+    }
 }
 
 /// A pose: what it is for, its name, what is to be seen, the slave nodes, and the segments under them.
@@ -198,7 +206,8 @@ where
                 Case::new(flag, format!("{id}{how}"), comment, step)
             })
         };
-        S::poses(P::TOUCHING).into_iter().flat_map(pose).collect()
+        let poses = S::poses(P::TOUCHING).into_iter().filter(|(_, id, ..)| P::is_shown(id));
+        poses.flat_map(pose).collect()
     }
 
     /// Segments of a length of about 1, with the slave nodes above or below them.
