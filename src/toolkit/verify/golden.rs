@@ -183,7 +183,8 @@ mod tests {
     #[test]
     fn every_input_is_tried_outside_its_domain() {
         let subject = Subject::of::<crate::connector::slot::Constraint>();
-        let invalid = out_of_domain(&subject);
+        let valid = [0.5; 15];
+        let invalid = out_of_domain(&subject, &valid[..subject.inputs.iter().map(Field::len).sum()]);
         assert_eq!(invalid.len(), 3 * subject.inputs.len());
         let place = |case: &Case<Vec<f64>>| case.inputs.iter().position(|x| !x.is_finite());
         let places: Vec<_> = invalid.iter().step_by(3).filter_map(place).collect();
@@ -198,7 +199,10 @@ mod tests {
         let (own, all) = ((subject.cases)(), cases(&subject, LEAST_RANDOM));
         assert_eq!(all[..own.len()], own);
         let with = |flag| all.iter().filter(|case| case.flag == flag).count();
-        assert_eq!((with(Flag::Random), with(Flag::Invalid)), (LEAST_CASES - own.len(), out_of_domain(&subject).len()));
+        assert_eq!(
+            (with(Flag::Random), with(Flag::Invalid)),
+            (LEAST_CASES - own.len(), out_of_domain(&subject, &own[0].inputs).len())
+        );
         assert_eq!(all[own.len()].id, "random-1");
         let stop = Subject::of::<Stop>();
         let refused = (stop.invalid_cases)();

@@ -107,3 +107,28 @@ def test_record_batches_become_record_batches():
     value, jacobian = formula.linearize(**formula.unpack(drawn))
     assert same(result.column("y"), value.y)
     assert same(result.column("∂y/∂e2a[1]"), jacobian.y.e2a[:, 1])
+
+
+def test_a_refused_row_is_named_by_its_number_in_the_whole():
+    f2 = np.linspace(1.0, 2.0, 40)
+    f2[33] = np.nan
+    arrays = da.from_array(f2, chunks=8), da.from_array(np.ones(40), chunks=8)
+    for result in (blocks.value("slot.contact_force", *arrays).fc, blocks.linearize("slot.contact_force", *arrays)[0].fc):
+        with pytest.raises(jointproof.InputError, match="slot.contact_force: row 33: f2 is NaN") as error:
+            result.compute(scheduler="synchronous")
+        assert (error.value.row, error.value.index) == (33, (33,))
+    table = da.from_array(f2.reshape(10, 4), chunks=(3, 2))
+    with pytest.raises(jointproof.InputError, match=r"row 33 at \[8, 1\]"):
+        blocks.value("slot.contact_force", table, 1.0).fc.compute(scheduler="synchronous")
+
+
+def test_a_formula_takes_arrays_of_dask_block_by_block():
+    f2, f3 = np.linspace(1.0, 2.0, 40), np.linspace(2.0, 5.0, 40)
+    arrays = da.from_array(f2, chunks=8), da.from_array(f3, chunks=10)
+    value, jacobian = jointproof.slot.contact_force.linearize(*arrays)
+    expected, by = jointproof.slot.contact_force.linearize(f2, f3)
+    assert isinstance(value.fc, da.Array) and same(value.fc.compute(), expected.fc)
+    assert same(jacobian.fc.f3.compute(), by.fc.f3)
+    assert same(jointproof.slot.contact_force(*arrays).fc.compute(), expected.fc)
+    whole = blocks.Summary.of(jointproof.slot.contact_force, f2, f3)
+    assert blocks.summary("slot.contact_force", *arrays).compute() == whole

@@ -31,3 +31,32 @@ def test_its_own_check_passes():
     f2 = torch.tensor([3.0, 5.0], dtype=torch.float64, requires_grad=True)
     f3 = torch.tensor(4.0, dtype=torch.float64, requires_grad=True)
     assert torch.autograd.gradcheck(lambda *x: operation(*x).fc, (f2, f3))
+
+
+def test_a_second_derivative_is_refused():
+    operation = operations.operation("slot.contact_force")
+    x = torch.tensor([3.0, 5.0], dtype=torch.float64, requires_grad=True)
+    (first,) = torch.autograd.grad((x**2 + operation(x, 4.0).fc).sum(), x, create_graph=True)
+    assert torch.allclose(first, 2 * x + x / torch.hypot(x, torch.tensor(4.0, dtype=torch.float64)))
+    wanted = [
+        lambda: torch.autograd.grad(first.sum(), x),
+        lambda: torch.autograd.functional.hessian(lambda x: operation(x, 4.0).fc.sum(), x),
+        lambda: torch.autograd.gradgradcheck(lambda x: operation(x, 4.0).fc, (x,)),
+    ]
+    for second in wanted:
+        with pytest.raises(NotImplementedError, match="slot.contact_force: its second derivative is wanted"):
+            second()
+
+
+class Forces(torch.utils.data.Dataset):
+    def __len__(self):
+        return 4
+
+    def __getitem__(self, k):
+        return float(jointproof.slot.contact_force(np.linspace(1, 2, 200_000), float(k)).fc.sum())
+
+
+def test_a_loader_with_processes_ends():
+    before = [Forces()[k] for k in range(4)]
+    loader = torch.utils.data.DataLoader(Forces(), num_workers=2, multiprocessing_context="fork", timeout=60)
+    assert [float(x) for x in loader] == before

@@ -11,6 +11,9 @@ use ndarray::{ArrayViewD, ArrayViewMutD, Axis, Ix1};
 /// A function that computes columns of results from columns of inputs.
 type Run = fn(&[ArrayView1<f64>], &mut [ArrayViewMut1<f64>]) -> Result<(), Error>;
 
+/// The amount of numbers below which a call stays on its thread.
+const SMALL: usize = 1 << 15;
+
 /// An array per component of the inputs and of the results, all of one shape.
 pub(crate) struct Call<'a> {
     /// The row index of the first element.
@@ -35,6 +38,11 @@ impl<'a> Call<'a> {
         Some(Self { first: 0, steps, shape: shape.to_vec(), inputs, results }.merged().longest_last())
     }
 
+    /// Whether it takes less time than to wake threads.
+    pub(crate) fn is_small(&self) -> bool {
+        self.shape.iter().product::<usize>() * (self.inputs.len() + self.results.len()) < SMALL
+    }
+
     /// Computes the value, and the Jacobian if requested.
     pub(crate) fn run(self, batch: &Batch, with_jacobian: bool) -> Result<Refused, Error> {
         self.share(if with_jacobian { batch.linearize } else { batch.value })
@@ -47,8 +55,13 @@ impl<'a> Call<'a> {
             [0, ..] => Ok(Refused::default()),
             [1, ..] => self.without(0).share(run),
             _ => {
+                let is_small = self.is_small();
                 let [one, other] = self.halves();
-                let (one, other) = rayon::join(|| one.share(run), || other.share(run));
+                let (one, other) = if is_small {
+                    (one.share(run), other.share(run))
+                } else {
+                    rayon::join(|| one.share(run), || other.share(run))
+                };
                 Ok(one?.and(other?))
             }
         }

@@ -1,5 +1,6 @@
 //! Audits, and parts of them, as JSON.
 
+use crate::threads::on_all_cores;
 use jointproof::catalog::{AnyFormula, CATALOG, find};
 use jointproof::toolkit::verify::{Audit, Options, Part, Shard};
 use pyo3::exceptions::{PyKeyError, PyValueError};
@@ -33,7 +34,7 @@ pub(crate) fn options(samples: Option<usize>, seed: Option<u64>) -> Options {
 pub(crate) fn audit(py: Python<'_>, ids: Vec<String>, samples: Option<usize>, seed: Option<u64>) -> PyResult<String> {
     let formulas = ids.iter().map(|id| found(id)).collect::<PyResult<Vec<_>>>()?;
     let options = options(samples, seed);
-    let audits = py.detach(|| formulas.par_iter().map(|formula| formula.audit(&options)).collect::<Vec<_>>());
+    let audits = on_all_cores(py, || formulas.par_iter().map(|formula| formula.audit(&options)).collect::<Vec<_>>());
     written(&audits)
 }
 
@@ -50,7 +51,7 @@ pub(crate) fn audit_part(
     let formula = found(id)?;
     let shard = Shard::new(index, of).map_err(invalid)?;
     let options = options(samples, seed);
-    written(&py.detach(|| formula.audit_part(&options, shard)))
+    written(&on_all_cores(py, || formula.audit_part(&options, shard)))
 }
 
 /// Merges two consecutive parts.

@@ -2,6 +2,7 @@
 
 use crate::audits::options;
 use crate::formulas::formula;
+use crate::threads::on_all_cores;
 use judge::{Answer, Grade, Number};
 use numpy::PyArray2;
 use pyo3::exceptions::PyValueError;
@@ -71,7 +72,7 @@ impl Called {
         let formula = formula(place)?;
         let options = options(samples, seed);
         let inputs = formula.inputs().iter().map(jointproof::formula::Field::len).sum();
-        let called = py.detach(|| judge::Called::new(formula, with_jacobian, &options, with_invalid_inputs));
+        let called = on_all_cores(py, || judge::Called::new(formula, with_jacobian, &options, with_invalid_inputs));
         Ok(Self { called, inputs })
     }
 
@@ -98,7 +99,7 @@ impl Called {
         second: Vec<Bound<'_, PyAny>>,
     ) -> PyResult<Judged> {
         let answers = [answers(&first)?, answers(&second)?];
-        let judged = py.detach(|| self.called.judge(name, &answers));
+        let judged = on_all_cores(py, || self.called.judge(name, &answers));
         let judged = judged.ok_or_else(|| PyValueError::new_err("an answer has not as many numbers as the formula"))?;
         let numbers = judged.numbers.into_iter().map(|number| Py::new(py, Found::from(number)));
         Ok(Judged {

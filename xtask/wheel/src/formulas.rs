@@ -3,6 +3,7 @@
 use crate::arrays::{Call, components, components_mut};
 use crate::batches::BATCHES;
 use crate::rows::Refused;
+use crate::threads::on_all_cores;
 use jointproof::Error;
 use jointproof::catalog::{AnyFormula, CATALOG};
 use jointproof::formula::Field;
@@ -127,7 +128,11 @@ pub(crate) fn over_arrays<'py>(
         results.extend(chosen(all, &(batch.entries)(), columns.len()));
     }
     let call = Call::new(&shape, columns, results).ok_or_else(another_shape)?;
-    let refused = py.detach(|| call.run(batch, with_jacobian));
+    let refused = if call.is_small() {
+        py.detach(|| call.run(batch, with_jacobian))
+    } else {
+        on_all_cores(py, || call.run(batch, with_jacobian))
+    };
     refused.map_err(|error| PyRuntimeError::new_err(error.to_string()))?.into_dict(py)
 }
 

@@ -12,6 +12,7 @@ mod check;
 mod formulas;
 mod rows;
 mod scene;
+mod threads;
 
 use pyo3::pymodule;
 

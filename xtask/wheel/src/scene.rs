@@ -1,5 +1,6 @@
 //! Scenes: columns of results.
 
+use crate::threads::on_all_cores;
 use jointproof::scene;
 use numpy::PyArray2;
 use pyo3::exceptions::PyValueError;
@@ -32,7 +33,7 @@ impl Scene {
     /// Evaluates the text of a scene file, which may refer to files in this folder, in doubles, or in 237 bits rounded once.
     #[new]
     fn new(py: Python<'_>, text: &str, exact: bool, folder: Option<PathBuf>) -> PyResult<Self> {
-        let results = py.detach(|| {
+        let results = on_all_cores(py, || {
             let parsed = match &folder {
                 Some(folder) => scene::Scene::parse_in(folder, text),
                 None => scene::Scene::parse(text),

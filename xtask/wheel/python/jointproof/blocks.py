@@ -6,6 +6,7 @@ has alone, so that nothing depends on how rows are shared out.
 """
 
 import json
+import math
 
 import numpy as np
 
@@ -165,7 +166,9 @@ def summary(formula, *args, **kwargs):
 
     formula, inputs = _bound(formula, args, kwargs)
     inputs = [da.asarray(x) for x in inputs]
-    (rows,) = {tuple(x.chunks[0]) for x in inputs if x.ndim} or {(1,)}
+    # Blocks of the first input that has rows are those of all.
+    rows = next((x.chunks[0] for x in inputs if x.ndim), (1,))
+    inputs = [x.rechunk({0: rows}) if x.ndim else x for x in inputs]
     firsts = np.concatenate([[0], np.cumsum(rows)[:-1]]).tolist()
     blocks = [x.to_delayed().ravel() if x.ndim else [x] * len(rows) for x in inputs]
     of = dask.delayed(Summary.of, pure=True)
@@ -243,28 +246,42 @@ class _Flat:
 def _over_dask(formula, function, inputs, outputs):
     import dask.array as da
 
-    signature = f"{','.join(_core(field.shape) for field in formula.inputs)}->{','.join(outputs)}"
+    inputs = [da.asarray(x) for x in inputs]
+    leading = [x.shape[: x.ndim - len(field.shape)] for field, x in zip(formula.inputs, inputs)]
+    shape = formula._broadcast(leading)
+    # Each block is told its rows, so that what it refuses is named by the row of the whole.
+    rows = da.arange(math.prod(shape), chunks=-1).reshape(shape)
+    chunked = [x.chunks[: len(one)] for x, one in zip(inputs, leading) if len(one) == len(shape) and one == shape]
+    rows = rows.rechunk(chunked[0]) if chunked else rows
+    signature = f"(),{','.join(_core(field.shape) for field in formula.inputs)}->{','.join(outputs)}"
     sizes = {f"d{size}": size for field in formula.outputs for size in field.shape} | {"m": formula.m, "n": formula.n}
     known = {name: size for name, size in sizes.items() if name in signature.split("->")[1]}
     given = {f"d{size}" for field in formula.inputs for size in field.shape}
     results = da.apply_gufunc(
-        function if len(outputs) > 1 else _First(function),
+        _Numbered(function, shape, len(outputs)),
         signature,
+        rows,
         *inputs,
         output_dtypes=[float] * len(outputs) if len(outputs) > 1 else float,
         output_sizes={name: size for name, size in known.items() if name not in given},
+        allow_rechunk=True,
     )
     return results if len(outputs) > 1 else (results,)
 
 
-class _First:
-    """The one result that a function has."""
+class _Numbered:
+    """A function of a block; the only result if there is one. A row that it refuses is named by its number in the whole."""
 
-    def __init__(self, function):
-        self.function = function
+    def __init__(self, function, shape, results):
+        self.function, self.shape, self.results = function, shape, results
 
-    def __call__(self, *inputs):
-        return self.function(*inputs)[0]
+    def __call__(self, rows, *inputs):
+        try:
+            results = self.function(*inputs)
+        except InputError as error:
+            row = int(rows[error.index])
+            raise error.renumbered(row, tuple(int(k) for k in np.unravel_index(row, self.shape))) from None
+        return results if self.results > 1 else results[0]
 
 
 def _core(shape):

@@ -23,6 +23,14 @@ class InputError(ValueError):
         self._reason = told["reason"]
         super().__init__(self._said())
 
+    def renumbered(self, row, index):
+        """The same in a larger call, of which this was a block: the row's number there, and its index."""
+        return InputError(self.formula, self._told() | {"row": row}, index, self.results)
+
+    def _told(self):
+        told = {name: getattr(self, name) for name in ("input", "value", "allowed", "kind", "count")}
+        return told | {"reason": self._reason}
+
     def _said(self):
         if self.index == ():
             return f"{self.formula}: {self._reason}"
@@ -31,8 +39,7 @@ class InputError(ValueError):
         return f"{self.formula}: {which}: {self._reason}"
 
     def __reduce__(self):
-        told = {name: getattr(self, name) for name in ("row", "input", "value", "allowed", "kind", "count")}
-        return InputError, (self.formula, told | {"reason": self._reason}, self.index, self.results)
+        return InputError, (self.formula, self._told() | {"row": self.row}, self.index, self.results)
 
 
 class ShapeError(ValueError):

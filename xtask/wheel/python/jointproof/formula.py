@@ -16,6 +16,10 @@ def named(name):
     return name + "_" * keyword.iskeyword(name)
 
 
+def _refused_as_array(gradient, inputs):
+    raise TypeError(f"{gradient!r} has blocks of several shapes; take one, as .{next(iter(inputs))}, or the Jacobian's .array")
+
+
 class Field:
     """An input or an output: ``name``, ``latex``, ``shape``, ``unit``, ``allowed`` (in words), ``meaning``."""
 
@@ -34,6 +38,9 @@ class Field:
     def __repr__(self):
         return f"<{self.name}: {self.meaning}>"
 
+    def __reduce__(self):
+        return _field, tuple(getattr(self, name) for name in self.__slots__)
+
     @property
     def places(self):
         """The places of its components among those of all fields."""
@@ -43,6 +50,13 @@ class Field:
         """Its part of an array whose last axis has the components of all fields: a view."""
         part = packed[..., self.places]
         return part.reshape(packed.shape[:-1] + self.shape)[()]
+
+
+def _field(*parts):
+    field = Field.__new__(Field)
+    for name, part in zip(Field.__slots__, parts):
+        setattr(field, name, part)
+    return field
 
 
 def _fields(said):
@@ -63,6 +77,8 @@ class Gradient:
         self._rows, self._output, self._inputs = rows, output, inputs
 
     def __getattr__(self, name):
+        if name.startswith("__"):
+            raise AttributeError(name)
         if name not in self._inputs:
             raise AttributeError(f"there is no input {name!r}; there are {', '.join(self._inputs)}")
         field = self._inputs[name]
@@ -73,6 +89,15 @@ class Gradient:
 
     def __dir__(self):
         return list(self._inputs)
+
+    def __repr__(self):
+        return f"<Gradient of {self._output.name} by {', '.join(self._inputs)}>"
+
+    def __array__(self, dtype=None, copy=None):
+        return _refused_as_array(self, self._inputs)
+
+    def __reduce__(self):
+        return Gradient, (self._rows, self._output, self._inputs)
 
 
 class Jacobian:
@@ -85,6 +110,8 @@ class Jacobian:
         self.array, self._outputs, self._inputs = array, outputs, inputs
 
     def __getattr__(self, name):
+        if name.startswith("__"):
+            raise AttributeError(name)
         if name not in self._outputs:
             raise AttributeError(f"there is no output {name!r}; there are {', '.join(self._outputs)}")
         field = self._outputs[name]
@@ -97,6 +124,10 @@ class Jacobian:
 
     def __repr__(self):
         return f"<Jacobian of {', '.join(self._outputs)} by {', '.join(self._inputs)}, {self.array.shape}>"
+
+    def __array__(self, dtype=None, copy=None):
+        array = np.asarray(self.array, dtype)
+        return array.copy() if copy else array
 
     def __reduce__(self):
         return Jacobian, (self.array, self._outputs, self._inputs)
@@ -152,6 +183,10 @@ class Formula:
         return find, (self.id,)
 
     def __call__(self, *args, out=None, **kwargs):
+        if out is None and _has_blocks(args, kwargs):
+            from . import blocks
+
+            return blocks.value(self, *args, **kwargs)
         arrays, shape = self._arrays(args, kwargs)
         if shape == () and out is None:
             value, told = _jointproof.value_at(self._place, _flat(arrays))
@@ -165,6 +200,10 @@ class Formula:
 
         ``out``: what an earlier call returned, or a value and an array for the Jacobian, to be written instead of new memory.
         """
+        if out is None and _has_blocks(args, kwargs):
+            from . import blocks
+
+            return blocks.linearize(self, *args, **kwargs)
         arrays, shape = self._arrays(args, kwargs)
         if shape == () and out is None:
             results, told = _jointproof.linearize_at(self._place, _flat(arrays))
@@ -304,13 +343,18 @@ class _Rebuilt:
         return find(self.id).Value(*values)
 
 
+def _has_blocks(args, kwargs):
+    """Whether an array of Dask is among the inputs, which is computed block by block."""
+    return any(hasattr(x, "__dask_graph__") for x in (*args, *kwargs.values()))
+
+
 def _capitals(name):
     return "".join(word.capitalize() for word in name.split("_"))
 
 
 def _array(field, x):
     """An input as an array of doubles: itself if it is one."""
-    array = x if type(x) is np.ndarray else np.asarray(x)
+    array = x if type(x) is np.ndarray else _plain(field, x)
     if array.dtype != np.float64 or not array.flags.aligned:
         if not np.can_cast(array.dtype, np.float64, "same_kind"):
             raise TypeError(f"{field.name}: numbers of type {array.dtype} are no doubles")
@@ -319,6 +363,19 @@ def _array(field, x):
     if axes and array.shape[array.ndim - axes :] != field.shape:
         raise ShapeError(field.name, f"shape {list(array.shape)}; allowed is […, {', '.join(map(str, field.shape))}]")
     return array
+
+
+def _plain(field, x):
+    """An array of what is a plain number, or has plain numbers. What would be lost is refused: units, and masks that hide something."""
+    for name in ("units", "unit"):
+        if (unit := getattr(x, name, None)) is not None and not inspect.isroutine(unit):
+            raise TypeError(
+                f"{field.name}: it has the unit {unit}, and formulas take plain numbers in consistent units (here {field.unit}); "
+                "give its magnitude"
+            )
+    if np.ma.is_masked(x):
+        raise TypeError(f"{field.name}: some elements are masked, and formulas know no masks; give x.compressed() or x.filled(…)")
+    return np.asarray(x)
 
 
 def _expect(name, array, shape):

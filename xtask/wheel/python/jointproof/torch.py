@@ -3,7 +3,7 @@
     friction = jointproof.torch.operation("slot.friction")
     friction(f2=f2, …).fc.sum().backward()
 
-Tensors are of doubles, in memory. First derivatives are those of the formula.
+Tensors are of doubles, in memory. First derivatives are those of the formula; a second derivative is refused.
 """
 
 from functools import lru_cache
@@ -28,19 +28,33 @@ def _operation(id):
         @staticmethod
         def forward(ctx, *inputs):
             value, jacobian = formula.linearize(*(x.detach().numpy() for x in inputs))
-            ctx.save_for_backward(torch.as_tensor(jacobian.array))
-            ctx.shapes = [x.shape for x in inputs]
+            ctx.save_for_backward(torch.as_tensor(jacobian.array), *inputs)
             return tuple(torch.as_tensor(y, dtype=torch.float64) for y in value)
 
         @staticmethod
-        @torch.autograd.function.once_differentiable
         def backward(ctx, *gradients):
-            (jacobian,) = ctx.saved_tensors
+            return Pulled.apply(*ctx.saved_tensors, *gradients)
+
+    class Pulled(torch.autograd.Function):
+        """Gradients by the results, pulled back to the inputs by the Jacobian. It is linear in these gradients; to differentiate it
+        by the inputs would take the second derivative of the formula."""
+
+        @staticmethod
+        def forward(ctx, jacobian, *both):
+            inputs, gradients = both[: len(formula.inputs)], both[len(formula.inputs) :]
+            ctx.save_for_backward(jacobian)
             shape = jacobian.shape[:-2]
             parts = [g.reshape(*shape, field.size) for field, g in zip(formula.outputs, gradients)]
             packed = torch.einsum("...mn,...m->...n", jacobian, torch.cat(parts, dim=-1))
             backs = (packed[..., field.places].reshape(*shape, *field.shape) for field in formula.inputs)
-            return tuple(_summed(back, wanted) for back, wanted in zip(backs, ctx.shapes))
+            # Summed over what was broadcast.
+            return tuple(back.sum_to_size(x.shape) for back, x in zip(backs, inputs))
+
+        @staticmethod
+        def backward(ctx, *changes):
+            raise NotImplementedError(
+                f"{id}: its second derivative is wanted, and as an operation of PyTorch it has the first alone"
+            )
 
     def called(*args, **kwargs):
         inputs = [torch.as_tensor(x, dtype=torch.float64) for x in formula._bound(args, kwargs)]
@@ -48,8 +62,3 @@ def _operation(id):
 
     called.__name__, called.__doc__, called.__signature__ = formula.__name__, formula.__doc__, formula.__signature__
     return called
-
-
-def _summed(gradient, shape):
-    """Summed over what was broadcast."""
-    return gradient.sum_to_size(shape)
