@@ -19,6 +19,9 @@ use pyo3::pymodule;
 /// The compiled part of the package `jointproof`.
 #[pymodule]
 mod _jointproof {
+    /// The version of the package.
+    #[pymodule_export]
+    const VERSION: &str = env!("CARGO_PKG_VERSION");
     #[pymodule_export]
     use super::audits::{audit, audit_part, audit_text, merge_all, merge_parts};
     #[pymodule_export]

@@ -49,6 +49,8 @@ __all__ = [
     "scene",
 ]
 
+__version__ = _jointproof.VERSION
+
 _all = {said["id"]: made(place, said) for place, said in enumerate(json.loads(_jointproof.catalog()))}
 
 #: All formulas by identifier, in the order of the book.

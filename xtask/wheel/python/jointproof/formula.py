@@ -345,7 +345,7 @@ class _Rebuilt:
 
 def _has_blocks(args, kwargs):
     """Whether an array of Dask is among the inputs, which is computed block by block."""
-    return any(hasattr(x, "__dask_graph__") for x in (*args, *kwargs.values()))
+    return any(type(x).__module__.startswith("dask.") for x in (*args, *kwargs.values()))
 
 
 def _capitals(name):
