@@ -1,7 +1,7 @@
 //! The command line: exit codes, help, colours, closed pipes, and the output on each stream.
 
 use crate::common::{self, Bench, Ran};
-use jointproof::catalog::CATALOG;
+use jointproof::catalog::{CATALOG, ELEMENTS};
 use std::process::Stdio;
 
 /// The commands listed by the help.
@@ -32,6 +32,8 @@ fn the_readme_lists_every_command_and_no_other() {
     let rows = readme.lines().filter_map(|line| line.strip_prefix("| `cargo xtask "));
     let listed: Vec<_> = rows.filter_map(|row| row.split('`').next()).collect();
     assert_eq!(listed, commands());
+    let counts = format!("{} formulas and {} elements", CATALOG.len(), ELEMENTS.len());
+    assert!(readme.contains(&counts), "the README has not: {counts}");
 }
 
 #[test]
