@@ -92,9 +92,9 @@ fn every_mistake_in_an_array_is_said_with_its_place() {
             r#"array "mu" of "arrays.npz" with -0.5 at [1]; allowed is a finite number ≥ 0"#,
         ),
         (
-            with("time", &[3], &[0.0, 1.0, 1.0]),
+            with("time", &[3], &[0.0, 1.0, 0.5]),
             "frames.time",
-            r#"array "time" of "arrays.npz" with 1.0 at [2]; allowed is times after those before, here 1.0"#,
+            r#"array "time" of "arrays.npz" with 0.5 at [2]; allowed is times that do not fall, here at least 1.0"#,
         ),
         (
             with("time", &[], &[1.0]),

@@ -46,7 +46,7 @@ fn every_mistake_is_reported_with_its_place() {
   },
   "frames": [
     { "time": 0, "loads": { "s 1": { "f9": 1, "f1": null } } },
-    { "time": 0, "nodes": { "q": { "u": [0, 0, 0] } } },
+    { "time": -1, "nodes": { "q": { "u": [0, 0, 0] } } },
     {}
   ],
   "outputs": ["U1", "U1", "U9", "UR1", "ALPHA"]
@@ -70,8 +70,8 @@ fn every_mistake_is_reported_with_its_place() {
         "elements.\"s 4\".mu (line 13, column 58): 1e400, which no double can hold; allowed is a finite number ≥ 0",
         "frames[0].loads.\"s 1\".f9 (line 16, column 38): unknown key \"f9\"; allowed is one of f1, f2, f3",
         "frames[0].loads.\"s 1\".f1 (line 16, column 53): null; allowed is a finite number",
-        "frames[1].time (line 17, column 15): 0.0; allowed is a time after the last frame's, 0.0",
-        "frames[1].nodes.q (line 17, column 29): no node \"q\"; allowed is one of \"a\", \"b\"",
+        "frames[1].time (line 17, column 15): -1.0; allowed is a time of at least the last frame's, 0.0",
+        "frames[1].nodes.q (line 17, column 30): no node \"q\"; allowed is one of \"a\", \"b\"",
         "frames[2] (line 18, column 5): a frame without \"time\"; allowed is a frame with its time",
     ];
     for (found, expected) in found.iter().zip(expected) {

@@ -5,6 +5,7 @@ use jointproof::scene::rules::RULES;
 use jointproof::scene::{Columns, Plan, Results, Run, Scene, Stopped};
 use jointproof::toolkit::verify::Options;
 use nalgebra::Vector3;
+use std::f64::consts::PI;
 
 const TELESCOPE: &str = include_str!("../golden/scenes/telescope.json");
 const DRIVE_SHAFT: &str = include_str!("../golden/scenes/drive-shaft.json");
@@ -115,6 +116,58 @@ fn the_scene_of_the_readme_is_the_first_example() {
     let sticking = results.get("guide", "CSF1", 0).unwrap()[0];
     assert!((sticking - 1.0).abs() < 1e-12, "it sticks: 1000 times 0.001, less the rounding of the way");
     assert_eq!(results.get("guide", "CSF1", 1), Some(&[1.25][..]), "it slips at μ times 5");
+}
+
+/// A hinge between two nodes at one place, of which this one has these rotation vectors in turn; its angle in every state.
+fn hinged(node: &str, turns: &[[f64; 3]]) -> (Vec<f64>, Vec<String>) {
+    let frame =
+        |(time, ur): (usize, &[f64; 3])| format!(r#"{{"time": {time}, "nodes": {{"{node}": {{"ur": {ur:?}}}}}}}"#);
+    let frames: Vec<_> = turns.iter().enumerate().map(frame).collect();
+    let scene = scene(&format!(
+        r#"{{"dimension": "3d", "orientations": {{"o": {{"rotation": [0, 0, 0]}}}},
+        "nodes": {{"a": {{"at": [0, 0, 0], "orientation": "o"}}, "b": {{"at": [0, 0, 0]}}}},
+        "elements": {{"e": {{"kind": "hinge", "nodes": ["a", "b"]}}}}, "frames": [{}], "outputs": ["UR1"]}}"#,
+        frames.join(", ")
+    ));
+    let results = Results::of(&scene).unwrap();
+    let angles = (0..turns.len()).map(|state| results.get("e", "UR1", state).unwrap()[0]).collect();
+    (angles, results.warnings)
+}
+
+#[test]
+fn angles_follow_rotation_vectors_along_one_axis_however_far() {
+    let near = |found: &[f64], expected: &[f64]| {
+        assert!(found.iter().zip(expected).all(|(found, expected)| (found - expected).abs() < 1e-12), "{found:?}");
+    };
+    let half_turns: Vec<f64> = (0..=6).map(|k| f64::from(k) * PI).collect();
+    let along: Vec<_> = half_turns.iter().map(|&angle| [angle, 0.0, 0.0]).collect();
+    let (angles, warnings) = hinged("b", &along);
+    near(&angles, &half_turns);
+    assert!(warnings.is_empty(), "{warnings:?}");
+    near(&hinged("a", &along).0, &half_turns.iter().map(|angle| -angle).collect::<Vec<_>>());
+    // At once, at the start, and back through many turns.
+    near(&hinged("b", &[[3.5, 0.0, 0.0], [-100.0, 0.0, 0.0], [0.0; 3]]).0, &[3.5, -100.0, 0.0]);
+}
+
+#[test]
+fn a_large_rotation_about_another_axis_is_warned_of() {
+    let (angles, warnings) = hinged("b", &[[3.0, 0.0, 0.0], [0.0, 3.0, 0.0], [0.0, 3.5, 0.0]]);
+    assert_eq!(angles[0], 3.0);
+    let [warning] = &warnings[..] else { panic!("{warnings:?}") };
+    assert!(warning.starts_with("frames[1], node \"b\": its rotation vector changes by 4.2426 (243.1°)"), "{warning}");
+}
+
+#[test]
+fn angles_beyond_a_turn_are_asked_about() {
+    let of = |angle: &str| {
+        let element = format!(r#""kind": "hinge", "theta1_ref": {angle}"#);
+        one("3d", &element, r#"["UR1MAT"]"#).warnings()
+    };
+    assert_eq!(of("6.25"), Vec::<String>::new());
+    assert_eq!(
+        of("90"),
+        ["elements.e.theta1_ref is 90, more than a full turn: angles are in radians, and 90° would be 1.570796"]
+    );
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use super::model::Scene;
 use super::npz::{Rows, Writer};
 use super::plan::Plan;
-use super::run::{Gather, Run, Stopped, array_name};
+use super::run::{Gather, Run, Stopped, Warning, array_name};
 use crate::Octuple;
 use crate::element::table::Number;
 use std::fmt;
@@ -123,11 +123,15 @@ impl Columns {
     }
 
     /// Evaluates a plan in `f64` and writes what [`Columns::write`] would write, state by state, so that memory does not grow
-    /// with the number of states; `each` is called after every state.
+    /// with the number of states; `each` is called after every state. Returns what was ambiguous.
     ///
     /// # Errors
     /// As [`Columns::of`] and [`Columns::write`]; after an error the file is incomplete.
-    pub fn stream(plan: &Plan<'_>, to: impl Write + Seek + Send, mut each: impl FnMut()) -> Result<(), Unwritten> {
+    pub fn stream(
+        plan: &Plan<'_>,
+        to: impl Write + Seek + Send,
+        mut each: impl FnMut(),
+    ) -> Result<Vec<Warning>, Unwritten> {
         let mut run = Run::<f64>::new(plan)?;
         let gathered = run.gathered();
         let row = |gather: &Gather<'_>| vec![0.0; gather.shape(1).iter().product()];
@@ -148,7 +152,8 @@ impl Columns {
             run.gather(&gathered, &mut rows.iter_mut().map(|row| &mut row[..]).collect::<Vec<_>>());
         }
         push(&rows)?;
-        Ok(arrays.finish()?)
+        arrays.finish()?;
+        Ok(run.warnings().to_vec())
     }
 
     /// An output of an element, of a set of elements or of a slide line.

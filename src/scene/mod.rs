@@ -61,6 +61,6 @@ pub use kind::{Dimension, Fallback, Kind, Origin, Use, When};
 pub use model::Scene;
 pub use plan::{Plan, PlanLine};
 pub use results::{Results, Series};
-pub use run::{Culprit, Problem, Problems, Run, Stopped, Unreadable};
+pub use run::{Culprit, Problem, Problems, Run, Stopped, Unreadable, Warning};
 pub use schema::schema;
 pub use values::Values;

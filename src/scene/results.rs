@@ -32,6 +32,9 @@ pub struct Results {
     pub counts: Vec<(&'static str, usize)>,
     /// Elements in the order of the file, and the outputs of each in the order of its kind.
     pub series: Vec<Series>,
+    /// What was ambiguous, in words.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub warnings: Vec<String>,
     #[serde(skip)]
     order: Order,
 }
@@ -121,7 +124,9 @@ impl Results {
                 place += 1;
             });
         }
-        Ok(Self { title: plan.scene.title().into(), counts: run.counts(), times, series, order: Order::default() })
+        let warnings = run.warnings().iter().map(ToString::to_string).collect();
+        let title = plan.scene.title().into();
+        Ok(Self { title, counts: run.counts(), times, series, warnings, order: Order::default() })
     }
 
     /// The components of an element's output in a state counted from 0.

@@ -37,6 +37,30 @@ fn all_mistakes_are_said_with_their_places_and_nothing_is_written() {
 }
 
 #[test]
+fn what_is_ambiguous_is_said_and_fails_on_request() {
+    let bench = Bench::new();
+    let path = bench.path("hinge.json");
+    let of = |outputs: &str| {
+        let scene = format!(
+            r#"{{"dimension": "3d", "orientations": {{"o": {{"rotation": [0, 0, 0]}}}},
+            "nodes": {{"a": {{"at": [0, 0, 0], "orientation": "o"}}, "b": {{"at": [0, 0, 0]}}}},
+            "elements": {{"e": {{"kind": "hinge", "nodes": ["a", "b"], "theta1_ref": 90}}}},
+            "frames": [{{"time": 1, "nodes": {{"b": {{"ur": [1, 0, 0]}}}}}}, {{"time": 1, "nodes": {{"b": {{"ur": [0, 4, 0]}}}}}}],
+            "outputs": {outputs}}}"#
+        );
+        fs::write(&path, scene).unwrap();
+    };
+    of(r#"["UR1MAT"]"#);
+    let path = path.to_string_lossy();
+    let ran = bench.run(&["scene", &path, "--format", "json"]).exits(0);
+    ran.says("hinge.json: elements.e.theta1_ref is 90, more than a full turn")
+        .says("hinge.json: frames[1], node \"b\"");
+    bench.run(&["scene", &path, "--format", "csv", "--deny-warnings"]).exits(1).says("frames[1], node \"b\"");
+    of("[]");
+    bench.run(&["scene", &path]).bad_usage("no outputs are wanted, so nothing would be computed; name some of ");
+}
+
+#[test]
 fn text_has_a_table_for_every_output() {
     let ran = Bench::new().run(&["scene", &scene("rail.json")]).quiet();
     for heading in ["A car on a rail", "U1  ", "FN  ", "CSF1  ", "CASU1  ", "formulas evaluated"] {

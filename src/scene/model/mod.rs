@@ -14,6 +14,7 @@ pub(super) use orientation::{Axes, Orientation, exactly, global, turned};
 
 use super::kind::{Dimension, Kind};
 use crate::contact::isl::Surface;
+use crate::formula::quantity::Domain;
 
 /// A model over a history of states, with the requested outputs; created by [`Scene::parse`].
 #[derive(Clone, Debug)]
@@ -55,6 +56,29 @@ impl Scene {
     pub fn kind(&self, element: &str) -> Option<&'static Kind> {
         let members = self.elements.members(element)?;
         Some(self.elements[members.number(0)].kind)
+    }
+    /// What in the file is ambiguous, in words: angles that look like degrees.
+    pub fn warnings(&self) -> Vec<String> {
+        let turn = std::f64::consts::TAU;
+        let mut warnings = Vec::new();
+        for (name, SceneElement { kind, parameters, .. }) in self.elements.names().zip(self.elements.things()) {
+            let angles =
+                kind.parameters().zip(&**parameters).filter(|((name, _), _)| kind.domain(name) == Domain::Angle);
+            for ((parameter, _), given) in angles {
+                let numbers = match given {
+                    Parameter::Absent => &[],
+                    Parameter::One(number) => std::slice::from_ref(number),
+                    Parameter::Each(numbers) => &**numbers,
+                };
+                if let Some(number) = numbers.iter().find(|number| number.is_finite() && number.abs() > turn) {
+                    warnings.push(format!(
+                        "elements.{name}.{parameter} is {number}, more than a full turn: angles are in radians, and {number}° would be {:.6}",
+                        number.to_radians()
+                    ));
+                }
+            }
+        }
+        warnings
     }
     /// The times of the states, in order.
     pub fn times(&self) -> impl ExactSizeIterator<Item = f64> {

@@ -14,6 +14,8 @@ pub(super) use signature::Signature;
 
 use super::kind::Kind;
 use super::model::{Scene, SceneElement};
+use crate::contact::increments::Follow;
+use crate::formula::Formula;
 use indexmap::IndexMap;
 use std::collections::HashMap;
 
@@ -78,6 +80,11 @@ impl<'s> Plan<'s> {
 }
 
 impl Group {
+    /// Whether it follows angles over full turns.
+    pub(super) fn follows(&self) -> bool {
+        self.recipe.state.steps.iter().any(|planned| planned.step.spec().id == Follow::SPEC.id)
+    }
+
     fn lines(&self) -> Vec<PlanLine> {
         let of_pass = |pass: &Pass, once| {
             let (kind, elements) = (self.kind.name, self.elements.len());

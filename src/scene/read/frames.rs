@@ -121,9 +121,9 @@ fn time_of(reader: &mut Reader, last: Option<f64>) -> Read<Given> {
     let place = reader.place();
     let time = Given::read(reader, Domain::Real)?;
     if let (Some(time), Some(last)) = (time.number(), last)
-        && time <= last
+        && time < last
     {
-        reader.fault(place, format!("{time:?}"), format!("a time after the last frame's, {last:?}"));
+        reader.fault(place, format!("{time:?}"), format!("a time of at least the last frame's, {last:?}"));
     }
     Ok(time)
 }

@@ -95,9 +95,9 @@ fn times(mut array: Array) -> Result<Vec<f64>, Unfit> {
         return Err(array.outline().misshapen("(n,): states, at least one"));
     }
     let times = array.numbers(Domain::Real)?;
-    match times.windows(2).position(|pair| pair[1] <= pair[0]) {
+    match times.windows(2).position(|pair| pair[1] < pair[0]) {
         Some(before) => {
-            let allowed = format!("times after those before, here {:?}", times[before]);
+            let allowed = format!("times that do not fall, here at least {:?}", times[before]);
             Err(array.outline().wrong(times[before + 1], before + 1, allowed))
         }
         None => Ok(times),

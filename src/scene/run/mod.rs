@@ -13,12 +13,14 @@ mod nodes;
 mod problem;
 mod share;
 mod states;
+mod way;
 
 pub(super) use gather::{Gather, array_name};
 pub use problem::{Culprit, Problem, Problems, Stopped, Unreadable};
+pub use way::Warning;
 
 use super::model::{Frame, Scene};
-use super::plan::Plan;
+use super::plan::{Group, Plan};
 use crate::contact::isl;
 use crate::element::table::{Failure, Number};
 use arrayvec::ArrayVec;
@@ -27,8 +29,9 @@ use group::{GroupState, Inputs};
 use indexmap::IndexMap;
 use nodes::NodeStates;
 use states::States;
+use std::borrow::Cow;
 
-/// The maximum number of problems that are listed.
+/// The maximum number of problems or warnings that are listed.
 const LISTED: usize = 100;
 
 /// A scene being evaluated in `T`: `f64`, or [`Octuple`](crate::Octuple) for the exact results.
@@ -44,6 +47,7 @@ pub struct Run<'s, T> {
     /// The group, and the index in it, of every element with requested outputs.
     places: Vec<Option<[u32; 2]>>,
     contacts: Vec<ContactRun<'s, T>>,
+    warnings: Vec<Warning>,
 }
 
 impl<'s, T: Number> Run<'s, T> {
@@ -63,8 +67,8 @@ impl<'s, T: Number> Run<'s, T> {
         let nodes = NodeStates::new(plan);
         let groups = plan.groups.iter().map(|group| GroupState::new(scene, group, &nodes)).collect();
         let contacts = plan.contacts.iter().map(ContactRun::new).collect();
-        let mut run = Self { scene, plan, states: 0, frames, nodes, groups, places, contacts };
-        let problems = run.evaluate(None);
+        let mut run = Self { scene, plan, states: 0, frames, nodes, groups, places, contacts, warnings: Vec::new() };
+        let problems = run.evaluate(None, |_| true);
         if problems.is_empty() { Ok(run) } else { Err(Problems(problems).into()) }
     }
 
@@ -75,8 +79,9 @@ impl<'s, T: Number> Run<'s, T> {
     /// read.
     pub fn advance(&mut self) -> Result<bool, Stopped> {
         let Some(mut frame) = self.frames.advance()? else { return Ok(false) };
+        let mut problems = self.turn(&frame);
         self.nodes.advance(&mut frame);
-        let mut problems = self.evaluate(Some(&frame));
+        problems.extend(self.evaluate(Some(&frame), |_| true));
         problems.extend(self.slide(&frame));
         problems.truncate(LISTED);
         self.frames.reuse(frame);
@@ -84,10 +89,32 @@ impl<'s, T: Number> Run<'s, T> {
         if problems.is_empty() { Ok(true) } else { Err(Problems(problems).into()) }
     }
 
-    /// Evaluates every element in a frame, or in the initial configuration if there is none.
-    fn evaluate(&mut self, frame: Option<&Frame>) -> Vec<Problem> {
+    /// Turns the nodes by large angles in parts, so that angles are followed. What turns along no known axis is warned of.
+    fn turn(&mut self, frame: &Frame) -> Vec<Problem> {
+        let Some((way, unknown)) = self.nodes.way(frame) else { return Vec::new() };
+        let (state, scene, room) = (self.states, self.scene, LISTED.saturating_sub(self.warnings.len()));
+        let warning = |(node, angle)| Warning { state, node: scene.nodes.name(node).to_string(), angle };
+        self.warnings.extend(unknown.into_iter().take(room).map(warning));
+        for part in 1..way.parts {
+            let mut between = Cow::Owned(way.after(part, frame));
+            self.nodes.advance(&mut between);
+            let problems = self.evaluate(Some(&between), Group::follows);
+            if !problems.is_empty() {
+                return problems;
+            }
+        }
+        Vec::new()
+    }
+
+    /// What was ambiguous so far: at most a hundred warnings.
+    pub fn warnings(&self) -> &[Warning] {
+        &self.warnings
+    }
+
+    /// Evaluates the elements of these groups in a frame, or in the initial configuration if there is none.
+    fn evaluate(&mut self, frame: Option<&Frame>, wanted: impl Fn(&Group) -> bool) -> Vec<Problem> {
         let mut problems = Vec::new();
-        for (group, state) in self.plan.groups.iter().zip(&mut self.groups) {
+        for (group, state) in self.plan.groups.iter().zip(&mut self.groups).filter(|(group, _)| wanted(group)) {
             let failures = state.evaluate(&Inputs { group, nodes: &self.nodes, frame });
             problems.extend(failures.into_iter().take(LISTED).map(|Failure { element, formula, error }| {
                 let culprit = Culprit::Element(self.scene.elements.name(group.elements[element]).to_string());
@@ -102,7 +129,9 @@ impl<'s, T: Number> Run<'s, T> {
     /// Advances the slide lines to the next state.
     fn slide(&mut self, frame: &Frame) -> Vec<Problem> {
         let history = &self.scene.history;
-        let duration = self.states.checked_sub(1).map(|last| frame.time - history.time(last));
+        // Where a step ends and the next begins there are two states at one time, and no velocities between them.
+        let duration =
+            self.states.checked_sub(1).map(|last| frame.time - history.time(last)).filter(|time| *time > 0.0);
         let is_last = self.states + 1 == history.len();
         let increment = Increment { nodes: &self.nodes, duration, pressures: &frame.pressures, is_last };
         let (scene, state) = (self.scene, self.states);

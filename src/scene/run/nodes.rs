@@ -1,11 +1,12 @@
 //! The positions of the nodes.
 
 use super::share::shared;
+use super::way::Way;
 use crate::element::table::Number;
 use crate::number::prefetch::prefetch;
 use crate::scene::kind::Origin;
 use crate::scene::model::{Axes, Changes, Frame, Orientation, Scene, exactly, global, turned};
-use crate::scene::plan::Plan;
+use crate::scene::plan::{Group, Plan};
 use nalgebra::Vector3;
 use std::borrow::Cow;
 
@@ -27,6 +28,8 @@ pub(super) struct NodeStates<'s, T> {
     triads: Vec<Axes<T>>,
     /// The nodes that rotate in any state, by their numbers in the scene, and the triads from which they rotate.
     turning: Vec<(u32, u32)>,
+    /// Their rotation vectors in the last state, if angles are followed.
+    rotations: Option<Vec<[f64; 3]>>,
 }
 
 impl<'s, T: Number> NodeStates<'s, T> {
@@ -52,9 +55,13 @@ impl<'s, T: Number> NodeStates<'s, T> {
                 .chain(scene.orientations.things().iter().map(Orientation::axes))
                 .collect(),
             turning: Vec::new(),
+            rotations: None,
         };
         if reads(|origin| matches!(origin, Origin::Axis(..))) {
             nodes.share_triads(scene);
+        }
+        if plan.groups.iter().any(Group::follows) {
+            nodes.rotations = Some(vec![[0.0; 3]; nodes.turning.len()]);
         }
         nodes
     }
@@ -159,6 +166,15 @@ impl<'s, T: Number> NodeStates<'s, T> {
         }
     }
 
+    /// The way of the rotations to a frame, and the nodes for which it is not known; `None` if nothing needs it.
+    pub(super) fn way(&self, frame: &Frame) -> Option<(Way, Vec<(u32, f64)>)> {
+        let rotations = self.rotations.as_ref().filter(|_| !frame.turns.of.is_empty())?;
+        let before = |&node: &u32| {
+            self.turning.binary_search_by_key(&node, |&(node, _)| node).map_or([0.0; 3], |k| rotations[k])
+        };
+        Some(Way::new(frame.turns.of.iter().map(before).collect(), frame))
+    }
+
     fn move_some(&mut self, frame: &Frame) {
         let (moving, places, fixed) = (&self.moving, &self.places, self.fixed());
         shared(self.displacements.to_mut(), |first, displacements| {
@@ -169,6 +185,13 @@ impl<'s, T: Number> NodeStates<'s, T> {
     }
 
     fn turn_some(&mut self, frame: &Frame) {
+        if let Some(rotations) = &mut self.rotations {
+            for (node, by) in frame.turns.iter(0..frame.turns.of.len()) {
+                if let Ok(turning) = self.turning.binary_search_by_key(&node, |&(node, _)| node) {
+                    rotations[turning] = by;
+                }
+            }
+        }
         let (turning, places, triad_of) = (&self.turning, &self.places, &self.triad_of);
         let common = self.triads.len() - turning.len();
         let (common, own) = self.triads.split_at_mut(common);
@@ -195,6 +218,7 @@ impl<'s, T: Number> NodeStates<'s, T> {
             + size_of_val(&*self.triad_of)
             + size_of_val(&*self.triads)
             + size_of_val(&*self.turning)
+            + self.rotations.as_ref().map_or(0, |rotations| size_of_val(&**rotations))
     }
 }
 

@@ -61,15 +61,15 @@ pub fn write(path: &Path, text: &str) -> anyhow::Result<bool> {
 ///
 /// # Errors
 /// As for [`write()`].
-pub fn write_with(path: &Path, content: impl FnOnce(&mut File) -> anyhow::Result<()>) -> anyhow::Result<()> {
+pub fn write_with<T>(path: &Path, content: impl FnOnce(&mut File) -> anyhow::Result<T>) -> anyhow::Result<T> {
     let shown = path.display();
     let directory = path.parent().with_context(|| format!("{shown} has no directory"))?;
     let directory = if directory.as_os_str().is_empty() { Path::new(".") } else { directory };
     std::fs::create_dir_all(directory).with_context(|| format!("cannot make {}", directory.display()))?;
     let mut file = builder().tempfile_in(directory).with_context(|| format!("cannot write beside {shown}"))?;
-    content(file.as_file_mut()).with_context(|| format!("cannot write {shown}"))?;
+    let made = content(file.as_file_mut()).with_context(|| format!("cannot write {shown}"))?;
     file.persist(path).with_context(|| format!("cannot rename to {shown}"))?;
-    Ok(())
+    Ok(made)
 }
 
 fn builder() -> tempfile::Builder<'static, 'static> {

@@ -13,12 +13,12 @@ mod show;
 pub(crate) use examples::{figures, golden, outputs, plans};
 pub(crate) use kinds::{anchor, served, tables};
 
-use crate::console::{print, progress, say};
+use crate::console::{print, progress, say, yellow};
 use crate::{Outcome, files};
 use anyhow::Context;
 use generate::Generated;
 use jointproof::Octuple;
-use jointproof::scene::{Columns, Plan, Results, Scene};
+use jointproof::scene::{Columns, Plan, Results, Scene, Warning};
 use kit::{Project, Usage};
 use out::{Form, Target};
 use std::io::{Read, Write};
@@ -60,6 +60,9 @@ pub(crate) struct Arguments {
     /// Write a plot of every output over the history into this folder, as SVG
     #[arg(long, value_name = "FOLDER")]
     plot: Option<PathBuf>,
+    /// Fail if something in a scene is ambiguous; without this it is only said
+    #[arg(long)]
+    deny_warnings: bool,
     /// Print a scene of N sliding connectors
     #[arg(long, value_name = "N", conflicts_with_all = ["files", "benchmark"])]
     generate: Option<usize>,
@@ -118,12 +121,18 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     // Threads are started before the timing begins.
     rayon::broadcast(|_| ());
     let several = arguments.files.len() > 1;
-    let mut documents = Vec::new();
+    let (mut documents, mut ambiguous) = (Vec::new(), 0);
     for (path, scene) in &scenes {
         if several && arguments.format == show::Format::Text {
             print(&format!("{}\n", shown(path)))?;
         }
-        match one(project, arguments, path, scene)? {
+        let (text, on_the_way) = one(project, arguments, path, scene)?;
+        let warnings = [scene.warnings(), on_the_way].concat();
+        for warning in &warnings {
+            say(&format!("{} {}: {warning}", yellow("warning:"), shown(path)));
+        }
+        ambiguous += warnings.len();
+        match text {
             Some(document) if several && arguments.format == show::Format::Json => documents.push(document),
             Some(text) => print(&text)?,
             None => {}
@@ -135,13 +144,13 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     if let Some((path, peak)) = arguments.peak.as_ref().zip(benchmark::peak()) {
         files::write(path, &peak.to_string())?;
     }
-    Ok(ExitCode::SUCCESS)
+    Ok(if arguments.deny_warnings && ambiguous > 0 { ExitCode::FAILURE } else { ExitCode::SUCCESS })
 }
 
 /// A reader that stops reading, such as `head`, is no error.
-fn piped(written: anyhow::Result<()>) -> anyhow::Result<()> {
+fn piped<T: Default>(written: anyhow::Result<T>) -> anyhow::Result<T> {
     written.or_else(|error| match error.downcast_ref::<std::io::Error>().map(std::io::Error::kind) {
-        Some(std::io::ErrorKind::BrokenPipe) => Ok(()),
+        Some(std::io::ErrorKind::BrokenPipe) => Ok(T::default()),
         _ => Err(error),
     })
 }
@@ -179,28 +188,50 @@ fn read(path: &Path) -> anyhow::Result<Result<Scene, String>> {
     }))
 }
 
-/// The text to be printed for a scene, except results that are printed state by state.
-fn one(project: &Project, arguments: &Arguments, path: &Path, scene: &Scene) -> anyhow::Result<Option<String>> {
+/// What to do about a scene without outputs.
+fn nothing_wanted(path: &Path, scene: &Scene) -> String {
+    let kinds = scene.elements().filter_map(|element| scene.kind(element));
+    let mut outputs: Vec<_> = kinds.flat_map(|kind| kind.outputs().map(|(name, _)| name)).collect();
+    let mut seen = std::collections::HashSet::new();
+    outputs.retain(|output| seen.insert(*output));
+    format!(
+        "{}: no outputs are wanted, so nothing would be computed; name some of {} in \"outputs\"",
+        shown(path),
+        outputs.join(", ")
+    )
+}
+
+/// The text to be printed for a scene, except results that are printed state by state, and what was ambiguous.
+fn one(
+    project: &Project,
+    arguments: &Arguments,
+    path: &Path,
+    scene: &Scene,
+) -> anyhow::Result<(Option<String>, Vec<String>)> {
     let plan = Plan::new(scene);
     if arguments.plan {
-        return show::plan(&plan, arguments.format).map(Some);
+        return Ok((Some(show::plan(&plan, arguments.format)?), Vec::new()));
     }
+    if plan.lines().is_empty() {
+        return Err(Usage(nothing_wanted(path, scene)).into());
+    }
+    let in_words = |warnings: Vec<Warning>| warnings.iter().map(ToString::to_string).collect();
     let format = match &arguments.out {
         Some(Target { path, form: Form::Arrays }) => {
             let bar = progress("scene", scene.times().len());
-            files::write_with(path, |file| Ok(Columns::stream(&plan, file, || bar.inc(1))?))?;
+            let warnings = files::write_with(path, |file| Ok(Columns::stream(&plan, file, || bar.inc(1))?))?;
             bar.finish_and_clear();
-            return Ok(None);
+            return Ok((None, in_words(warnings)));
         }
         Some(Target { form: Form::Printed(format), .. }) => *format,
         None => arguments.format,
     };
     if format == show::Format::Csv && !arguments.error && arguments.plot.is_none() {
-        match &arguments.out {
+        let warnings = match &arguments.out {
             Some(Target { path, .. }) => files::write_with(path, |file| show::stream(&plan, file))?,
             None => piped(show::stream(&plan, &mut anstream::stdout().lock()))?,
-        }
-        return Ok(None);
+        };
+        return Ok((None, in_words(warnings)));
     }
     let limit = if format == show::Format::Text { show::SHOWN } else { usize::MAX };
     let (results, time) = timed("f64", scene, |each| Results::collect::<f64>(&plan, limit, each))?;
@@ -224,9 +255,9 @@ fn one(project: &Project, arguments: &Arguments, path: &Path, scene: &Scene) -> 
     }
     if let Some(Target { path, .. }) = &arguments.out {
         files::write_with(path, |file| Ok(file.write_all(text.as_bytes())?))?;
-        return Ok(None);
+        return Ok((None, results.warnings));
     }
-    Ok(Some(text))
+    Ok((Some(text), results.warnings))
 }
 
 fn stem(path: &Path) -> String {

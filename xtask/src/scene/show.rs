@@ -1,7 +1,7 @@
 //! Results and plans as text, JSON and CSV.
 
 use crate::console::{bold, progress};
-use jointproof::scene::{Kind, Plan, Results, Run, Scene, Series};
+use jointproof::scene::{Kind, Plan, Results, Run, Scene, Series, Warning};
 use serde_json::json;
 use std::fmt::Write as _;
 use std::io::{BufWriter, Write};
@@ -214,7 +214,7 @@ const HEAD: &str = "time,element,output,component,value\n";
 
 /// Evaluates and writes state by state, so that memory does not grow with the number of states. If a formula turns out
 /// to be undefined, what was written before is valid, and the exit code indicates that the output is incomplete.
-pub(crate) fn stream(plan: &Plan<'_>, out: &mut impl Write) -> anyhow::Result<()> {
+pub(crate) fn stream(plan: &Plan<'_>, out: &mut impl Write) -> anyhow::Result<Vec<Warning>> {
     let mut out = BufWriter::with_capacity(1 << 20, out);
     let scene = plan.scene();
     let mut run = Run::<f64>::new(plan)?;
@@ -234,7 +234,8 @@ pub(crate) fn stream(plan: &Plan<'_>, out: &mut impl Write) -> anyhow::Result<()
         bar.inc(1);
     }
     bar.finish_and_clear();
-    Ok(out.flush()?)
+    out.flush()?;
+    Ok(run.warnings().to_vec())
 }
 
 #[cfg(test)]

@@ -14,6 +14,8 @@ pub(crate) struct Scene {
     times: Vec<f64>,
     counts: Vec<(&'static str, usize)>,
     series: Vec<Py<Series>>,
+    /// What was ambiguous, in words.
+    warnings: Vec<String>,
 }
 
 /// An output of an element over the states, one row per state: NaN where it is not available.
@@ -42,9 +44,9 @@ impl Scene {
             let results = if exact { scene::Results::exact(&scene) } else { scene::Results::of(&scene) };
             results.map_err(|error| error.to_string())
         });
-        let scene::Results { title, times, counts, series, .. } = results.map_err(invalid)?;
+        let scene::Results { title, times, counts, series, warnings, .. } = results.map_err(invalid)?;
         let series = series.into_iter().map(|series| Py::new(py, Series::of(py, series)?));
-        Ok(Self { title, times, counts, series: series.collect::<PyResult<_>>()? })
+        Ok(Self { title, times, counts, series: series.collect::<PyResult<_>>()?, warnings })
     }
 }
 

@@ -2,13 +2,14 @@
 
 import json
 import os
+import warnings
 
 from . import _jointproof
 
 
 class Scene:
-    """The results of a scene: ``title``, ``times``, ``counts`` (how often each formula was evaluated), and a column for every
-    output of every element: ``scene["guide", "FN"]``, a row for every state, NaN where the output is not there."""
+    """The results of a scene: ``title``, ``times``, ``counts`` (how often each formula was evaluated), ``warnings``, and a column
+    for every output of every element: ``scene["guide", "FN"]``, a row for every state, NaN where the output is not there."""
 
     def __init__(self, results):
         import numpy as np
@@ -16,6 +17,7 @@ class Scene:
         self.title = results.title
         self.times = np.array(results.times)
         self.counts = dict(results.counts)
+        self.warnings = results.warnings
         self.columns = {(series.element, series.output): series.values for series in results.series}
 
     def __getitem__(self, element_and_output):
@@ -44,11 +46,11 @@ class Scene:
 
 
 def scene(source, *, exact=False):
-    """Evaluates a scene: the path of a file, its text, or what JSON makes of it; in doubles, or in 237 bits rounded once.
+    """Evaluates a scene: the path of a file, its text, or a dict, in which arrays of NumPy are lists; in doubles, or in 237 bits rounded once.
     A file may name one of arrays beside it, as ``numpy.savez`` writes it."""
     folder = None
     if isinstance(source, dict):
-        text = json.dumps(source)
+        text = json.dumps(source, default=_plain)
     elif isinstance(source, str) and source.lstrip().startswith("{"):
         text = source
     else:
@@ -56,4 +58,14 @@ def scene(source, *, exact=False):
         with open(path, encoding="utf-8") as file:
             text = file.read()
         folder = os.path.dirname(path)
-    return Scene(_jointproof.Scene(text, exact, folder))
+    results = Scene(_jointproof.Scene(text, exact, folder))
+    for warning in results.warnings:
+        warnings.warn(warning, stacklevel=2)
+    return results
+
+
+def _plain(x):
+    """An array or a number of NumPy as JSON has it."""
+    if hasattr(x, "tolist"):
+        return x.tolist()
+    raise TypeError(f"a scene has no {type(x).__name__}")
