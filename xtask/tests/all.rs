@@ -8,6 +8,7 @@ mod check_ports;
 mod cli;
 mod common;
 mod export;
+mod families;
 mod golden;
 mod golden_readers;
 mod installed;

@@ -12,6 +12,7 @@ use jointproof::catalog::AnyFormula;
 use jointproof::toolkit::verify::Options;
 use jointproof::toolkit::verify::golden::components;
 use judge::{Bounds, Court, Question, Wanted, of_points, questions};
+use std::path::PathBuf;
 use std::time::Duration;
 
 /// Check a program of your own, in any language, against a formula
@@ -45,6 +46,9 @@ pub(crate) struct Arguments {
     /// Print a Fortran program that calls a routine with this interface
     #[arg(long, value_enum, value_name = "INTERFACE", conflicts_with_all = ["program", "driver"])]
     abi: Option<Abi>,
+    /// Write that program to a folder, with ABA_PARAM.INC and with XIT and other utility routines to be linked
+    #[arg(long, value_name = "FOLDER", requires = "abi")]
+    out: Option<PathBuf>,
     /// In a driver, call the exported formula, as an example that passes
     #[arg(long, requires = "driver")]
     exported: bool,
@@ -132,7 +136,10 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
         return Ok(verdict(true));
     }
     if let Some(abi) = arguments.abi {
-        print(&driver::abi::text(abi, formula)?)?;
+        print(&match &arguments.out {
+            Some(folder) => driver::abi::write(abi, formula, folder)?,
+            None => driver::abi::text(abi, formula)?,
+        })?;
         return Ok(verdict(true));
     }
     let limit = Duration::try_from_secs_f64(arguments.limit).ok().filter(|limit| !limit.is_zero());
