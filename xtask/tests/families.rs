@@ -52,7 +52,12 @@ const FAMILIES: &[Family] = &[
         base: include_str!("families/uinter.f90"),
         uses: &[],
         ignored: &[("statev", REAL), ("drdisp", REAL), ("rdisp", "1.0_dp"), ("props", "1.0_dp"), ("n2", "1.0_dp")],
-        same: &[],
+        // While surfaces are open the stiffness does not matter, and two entries are never anything but 0.
+        same: &[
+            ("left out", "ddsddr(1, 1) = 0"),
+            ("left out", "ddsddr(1, 2) = 0"),
+            ("left out", "ddsddr(1, 3) = 0"),
+        ],
     },
     Family {
         abi: "mpc",
@@ -61,7 +66,11 @@ const FAMILIES: &[Family] = &[
         base: include_str!("families/mpc.f90"),
         uses: &["slider.eliminate"],
         ignored: &[("x", REAL), ("u", REAL), ("jtype", "1"), ("slope", REAL), ("e", "1"), ("k", "1"), ("kept", REAL)],
-        same: &[],
+        // The size of the direction does not matter, and the scaling is for the largest.
+        same: &[
+            ("doubled", "d = abs(xn - x1)"),
+            ("doubled", "d = scale(d, -exponent(maxval(d)))"),
+        ],
     },
     Family {
         abi: "mpc-node",
@@ -70,7 +79,11 @@ const FAMILIES: &[Family] = &[
         base: include_str!("families/mpc_node.f90"),
         uses: &["slider.eliminate"],
         ignored: &[("x", REAL), ("u", REAL), ("slope", REAL), ("i", "1"), ("j", "1"), ("k", "1"), ("kept", REAL)],
-        same: &[],
+        // The size of the direction does not matter, and the scaling is for the largest.
+        same: &[
+            ("doubled", "d = abs(xn - x1)"),
+            ("doubled", "d = scale(d, -exponent(maxval(d)))"),
+        ],
     },
     Family {
         abi: "umpc_user",
@@ -79,7 +92,8 @@ const FAMILIES: &[Family] = &[
         base: include_str!("families/umpc_user.f90"),
         uses: &["slider.constraint"],
         ignored: &[("x", REAL), ("u", REAL), ("slope", "1.0_dp"), ("equation", "1"), ("row", "1.0_dp"), ("k", "1")],
-        same: &[],
+        // The last term has the coefficient 0, also at first; a swap with itself.
+        same: &[("left out", "a(10) = 0"), ("left out", "jdof(10) = 1"), ("always", "if (k /= 1) then")],
     },
     Family {
         abi: "uel",
@@ -88,7 +102,14 @@ const FAMILIES: &[Family] = &[
         base: include_str!("families/uel.f90"),
         uses: &["slider.nodal_forces", "slider.constraint"],
         ignored: &[("coords", REAL), ("u", REAL), ("of_f", REAL), ("of_g", REAL), ("f", REAL), ("lflags", "1"), ("g", REAL)],
-        same: &[],
+        // More than was asked for, and what is 0 at first.
+        same: &[
+            ("always", "if (lflags(3) == 1 .or. lflags(3) == 5) then"),
+            ("lflags(3) ignored", "if (lflags(3) == 1 .or. lflags(3) == 5) then"),
+            ("always", "if (lflags(3) == 1 .or. lflags(3) == 2) then"),
+            ("lflags(3) ignored", "if (lflags(3) == 1 .or. lflags(3) == 2) then"),
+            ("left out", "amatrx(10:11, 10:11) = 0"),
+        ],
     },
 ];
 
@@ -136,7 +157,7 @@ impl Family {
                 fixed += &member.text.replace("@", &name.to_uppercase());
             } else {
                 let text = member.text.replace("@", &name);
-                let _ = write!(free, "{}{text}end subroutine {name}\n\n", self.head(&name).trim_end_matches(' '));
+                let _ = write!(free, "{}{text}end subroutine\n\n", self.head(&name).trim_end_matches(' '));
             }
             let _ = writeln!(calls, "    case ({k})\n        call {name}({})", self.arguments());
         }

@@ -35,9 +35,8 @@
         END DO
         DO K = 1, NFDIR
           DO J = 1, NFDIR
-            UNIT = 0.D0
-            IF (J .EQ. K) UNIT = 1.D0
-            DDTDDG(K,J) = PROPS(2)*CRIT/SIZE*(UNIT - DIR(K)*DIR(J))
+            DDTDDG(K,J) = -PROPS(2)*(CRIT/SIZE)*DIR(K)*DIR(J)
+            IF (J .EQ. K) DDTDDG(K,J) = PROPS(2)*(CRIT/SIZE)*DIR(3-K)**2
           END DO
         END DO
       END IF

@@ -10,6 +10,7 @@ subroutine mpc(ue, a, jdof, mdof, n, jtype, x, u, uinit, maxdof, lmpc, kstep, ki
     x1 = x(1:3, 3) + u(1:3, 3)
     xn = x(1:3, 4) + u(1:3, 4)
     d = abs(xn - x1)
+    d = scale(d, -exponent(maxval(d)))
     p = merge(3, 2, d(3) >= d(2))
     q = 5 - p
     i = q

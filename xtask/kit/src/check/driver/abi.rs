@@ -50,7 +50,7 @@ const PLANE: Places = &[
     ("dim", "2"),
     ("_2d", "_2d"),
     ("multipliers", "the multiplier"),
-    ("axes", "in_order = merge([2, 1], [1, 2], d(1) >= d(2))"),
+    ("axes", "d = abs(x(3:4) - x(1:2))\nin_order = merge([2, 1], [1, 2], d(1) >= d(2))"),
     ("inverted", "determinant = a(1, 1, 1)\nfound(rows(1), :) = right(1, :) / determinant"),
 ];
 const SPACE: Places = &[
@@ -59,7 +59,7 @@ const SPACE: Places = &[
     ("multipliers", "both multipliers"),
     (
         "axes",
-        "integer :: p, q\nd = d / binade(maxval(d))\np = merge(3, 2, d(3) >= d(2))\nq = 5 - p\nin_order = [q, p, 1]\n\
+        "integer :: p, q\nd = abs(x(4:6) - x(1:3))\nd = scale(d, -exponent(maxval(d)))\np = merge(3, 2, d(3) >= d(2))\nq = 5 - p\nin_order = [q, p, 1]\n\
          if (d(p) > 0 .and. d(p)**2 + d(q)**2 >= d(p) * d(1)) in_order = [q, 1, p]",
     ),
     (
@@ -85,6 +85,7 @@ const PRESSURE: Places = &[
     ("ndir", "2"),
     ("history", "! There are two increments, the second of which ends at the overclosure in question."),
     ("problem", include_str!("abi/uinter_pressure.f90")),
+    ("open", "! What a pressure is while surfaces are apart, its law says."),
 ];
 const FRICTION: Places = &[
     ("ndir", "outputs + 1"),
@@ -94,6 +95,7 @@ const FRICTION: Places = &[
          ! traction STRESS + PROPS(2) DRDISP.",
     ),
     ("problem", include_str!("abi/uinter_friction.f90")),
+    ("open", "if (any(abs(stress) > 0)) call fail('STRESS is not 0 while the surfaces are apart')"),
 ];
 
 /// The equations of a line.

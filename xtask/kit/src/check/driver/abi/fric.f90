@@ -1,6 +1,7 @@
 ! PROPS(1) is the friction coefficient and PROPS(2) the stiffness K while it sticks, which differs from point to point.
 ! There are three increments: it slips, then sticks, then goes to the trial traction TAU + K DGAM. Before the last one it
 ! is asked for another DGAM, as if that increment were cut back. TAU and STATEV (10 of them, 0 at first) are carried.
+! DDTDDG and DDTDDP come in as the last call left them, and other points are asked for in between.
 ! A routine that sticks by LM = 1 need not set anything else while it sticks; TAULM is then the trial traction. DSLIP may
 ! stay as it is; where it is set it is the slip that is not elastic. PNEWDT < 1 refuses a point.
 ! FRIC is not asked for the derivative by the coefficient.
@@ -13,7 +14,7 @@ module driver_call
     real(dp) :: tau(nfdir), statev(nstatv), slip(nfdir), press
     integer :: kinc
     ! What a call gives besides.
-    real(dp) :: ddtddg(nfdir, nfdir), ddtddp(nfdir), dslip(nfdir), stiffness, pnewdt
+    real(dp) :: ddtddg(nfdir, nfdir), ddtddp(nfdir), dslip(nfdir), stiffness, pnewdt, props(nprops)
     integer :: lm
 contains
     subroutine ask()
@@ -24,7 +25,11 @@ contains
         trial = x(1:nfdir)
         most = maxval(abs(trial))
         stiffness = power_of_two(most, 1)
-        is_rigid = .false.
+        call begin()
+        ! Whether a point sticks by LM = 1.
+        props = [0.5_dp, stiffness]
+        call increment([(0.0625_dp / stiffness, k=1, nfdir)], 1.0_dp)
+        is_rigid = lm == 1
         call begin()
         high = 0
         if (x(nfdir + 1) > 0 .and. most > 1e-280_dp .and. most < 1e280_dp) high = 8 * (most / x(nfdir + 1))
@@ -34,8 +39,8 @@ contains
             do k = 1, nfdir
                 start(k) = started(trial(k), most, 10 + k)
             end do
+            if (is_rigid) start = trial / 2
             call increment((start - tau) / stiffness, high)
-            is_rigid = lm == 1
             if (is_rigid) tau = start
             if (differ(tau, start, most)) then
                 call fail('TAU after an increment that slips and one that sticks is not TAU + PROPS(2) DGAM')
@@ -45,12 +50,12 @@ contains
         states = statev
         dgam = (trial - tau) / stiffness
         call increment(-3 * dgam + 1 / stiffness, 2 * x(nfdir + 2))
+        call elsewhere()
+        call back()
         if (is_rigid) then
             ! While it slips, its direction may be that of DGAM or that of TAULM.
             call begin()
             dgam = trial / stiffness
-        else
-            call back()
         end if
         dslip = -0.375_dp * dgam
         left = dslip
@@ -72,7 +77,6 @@ contains
         if (is_rigid) then
             if (exit_flag /= 0) return
             before = start
-            statev = states
             call back()
             call increment((trial - tau) / stiffness, x(nfdir + 2))
             if (lm == 1) tau = trial
@@ -87,6 +91,7 @@ contains
         end if
         ! The same in another iteration: nothing may depend on the one before.
         plastic = dslip
+        call elsewhere()
         call back()
         dslip = plastic
         call increment(dgam, x(nfdir + 2), is_again=.true.)
@@ -100,18 +105,32 @@ contains
         subroutine back()
             tau = before
             statev = states
-            kinc = kinc - 1
+            kinc = 2
         end subroutine back
     end subroutine ask
 
+    ! Another point, of another pair of surfaces, slips and then sticks.
+    subroutine elsewhere()
+        integer :: axis
+        props = [0.375_dp, 1.5_dp * stiffness]
+        tau = 0.5_dp
+        statev = 0
+        call increment([(4 / stiffness, axis=1, nfdir)], 1.0_dp)
+        call increment([(-0.125_dp * axis / stiffness, axis=1, nfdir)], 5.0_dp)
+        props = [x(nfdir + 1), stiffness]
+    end subroutine elsewhere
+
     ! A point that has just closed.
     subroutine begin()
+        props = [x(nfdir + 1), stiffness]
         tau = 0
         statev = 0
         slip = 0
         dslip = 0
         press = 0
         kinc = 0
+        ddtddg = 0
+        ddtddp = 0
     end subroutine begin
 
     subroutine increment(dgam, now, is_again)
@@ -126,19 +145,19 @@ contains
         character(len=80) :: ciname, slname, msname
         external :: fric
         lm = 1
-        taulm = tau + stiffness * dgam
+        taulm = tau + props(2) * dgam
         if (present(is_again)) then
             lm = 0
             taulm = 0
         end if
         kinc = kinc + 1
-        coefficient = [x(nfdir + 1), stiffness]
+        coefficient = props
         a_tau = guard
         a_tau(1:nfdir) = tau
         a_ddg = guard
-        a_ddg(1:nfdir**2) = 0
+        a_ddg(1:nfdir**2) = reshape(ddtddg, [nfdir**2])
         a_ddp = guard
-        a_ddp(1:nfdir) = 0
+        a_ddp(1:nfdir) = ddtddp
         a_dslip = guard
         a_dslip(1:nfdir) = dslip
         a_ddt = guard
@@ -170,6 +189,7 @@ contains
         ciname = 'INTERACTION'
         slname = 'SLAVE'
         msname = 'MASTER'
+        call clear_stack()
         call fric(lm, a_tau(1), a_ddg(1), a_ddp(1), a_dslip(1), sed, sfd, a_ddt(1), pnewdt, a_statev(1), a_dgam(1), &
             a_taulm(1), pressure, dpress, ddpddh, a_slip(1), 2, kinc, time, dtime, 12, ciname, slname, msname, 3, 34, 2, &
             coords, rcoord, drot, temp, predef, nfdir, mcrd, npred, nstatv, chrlngth, a_props(1), nprops)

@@ -34,6 +34,10 @@ contains
                 call fail('A(1) or JDOF(1) is 0: the first term is the one that is eliminated')
                 return
             end if
+            if (jdof(1) /= axes(equation)) then
+                call fail('JDOF(1) is not the coordinate that equation JTYPE eliminates')
+                return
+            end if
             y(equation) = value
             jacobian(equation, :) = 0
             if (jdof(2) > 0) then
@@ -114,6 +118,7 @@ contains
         tran(1, 1, :) = 1
         tran(2, 2, :) = 1
         tran(3, 3, :) = 1
+        call clear_stack()
         call mpc(a_ue(1), a_a(1), a_jdof(1), mdof, n, equation, a_x(1), a_u(1), uinit, maxdof, lmpc, 2, kinc, time, nt, nf, &
             temp, field, ltran, tran)
         call look_around('UE', a_ue, 1)

@@ -135,6 +135,7 @@ contains
         tran(1, 1, :) = 1
         tran(2, 2, :) = 1
         tran(3, 3, :) = 1
+        call clear_stack()
         call mpc(a_ue(1), a_a(1), a_jdof(1), mdof, n, 1, a_x(1), a_u(1), uinit, maxdof, lmpc, 2, kinc, time, nt, nf, temp, &
             field, ltran, tran)
         call look_around('UE', a_ue, mdof)

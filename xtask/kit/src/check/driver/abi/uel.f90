@@ -13,7 +13,7 @@ module driver_call
 contains
     subroutine ask()
         real(dp) :: u(ndofel), first(ndofel), matrix(ndofel, ndofel), most, along(ndofel), states(nsvars)
-        real(dp) :: quotients(ndofel, 2), expected(ndofel), step, apart
+        real(dp) :: quotients(ndofel, 2), expected(ndofel), step, apart, beside(ndofel, ndofel)
         integer :: k, level, node, axis
         most = maxval(abs(x(1:moving)))
         coords = 3 * most + 1
@@ -51,6 +51,13 @@ contains
         if (most < 1e-3_dp .or. most > 1e3_dp .or. apart < 1e-2_dp * most) return
         do k = 1, ndofel
             along(k) = 0.25_dp + 0.125_dp * drawn(60 + k, 7)
+        end do
+        ! Not on a kink, where AMATRX jumps.
+        do level = -1, 1, 2
+            svars = states
+            call element(2, u + level * 1e-4_dp * apart * along)
+            beside = abs(amatrx - matrix)
+            if (any(beside > 1e-2_dp * maxval(abs(matrix)))) return
         end do
         do level = 1, 2
             step = 1e-4_dp * apart / level
@@ -112,6 +119,7 @@ contains
         pnewdt = 1
         jprops = 7
         period = 2
+        call clear_stack()
         call uel(a_rhs(1), a_amatrx(1), a_svars(1), energy, ndofel, nrhs, nsvars, a_props(1), nprops, a_coords(1), mcrd, &
             nnode, a_u(1), a_du(1), v, a, 1, time, dtime, 2, 3, 12, params, 0, jdltyp, adlmag, predef, npredf, lflags, mlvarx, &
             ddlmag, mdload, pnewdt, jprops, njprop, period)

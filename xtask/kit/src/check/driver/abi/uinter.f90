@@ -2,7 +2,8 @@
 ! PROPS are {props}.
 {history}
 ! STRESS, RDISP and STATEV (10 of them, 0 at first) are carried from increment to increment; before the last one the
-! routine is asked for another motion, as if that increment were cut back. PNEWDT < 1 refuses a point.
+! routine is asked for another motion, as if that increment were cut back, and for other points. DDSDDR comes in as the last
+! call left it. PNEWDT < 1 refuses a point.
 ---
 module driver_call
     use driver_checks
@@ -21,8 +22,25 @@ contains
         stress = 0
         statev = 0
         rdisp = 0
+        ddsddr = 0
         kinc = 0
     end subroutine begin
+
+    ! Another point, of another pair of surfaces, is open, then slips and sticks.
+    subroutine elsewhere()
+        real(dp) :: given(nprops)
+        integer :: axis
+        given = props
+        stress = 0
+        statev = 0
+        rdisp = 0
+        props = given * [(1.5_dp + axis, axis=1, nprops)]
+        call increment(-1 / props(1), [(1 / props(2), axis=2, ndir)])
+        {open}
+        call increment(0.5_dp / props(1), [(4 / props(2), axis=2, ndir)])
+        call increment(50 / props(1), [(-0.125_dp * axis / props(2), axis=2, ndir)])
+        props = given
+    end subroutine elsewhere
 
     ! An increment to this overclosure, with this slip.
     subroutine increment(overclosure, slip)
@@ -44,7 +62,7 @@ contains
         a_stress = guard
         a_stress(1:ndir) = stress
         a_ddr = guard
-        a_ddr(1:ndir**2) = 0
+        a_ddr(1:ndir**2) = reshape(ddsddr, [ndir**2])
         a_viscous = guard
         a_viscous(1:ndir**2) = 0
         a_structural = guard
@@ -87,6 +105,7 @@ contains
         lopenclose = -1
         lstate = -1
         lsdi = 0
+        call clear_stack()
         call uinter(a_stress(1), a_ddr(1), a_viscous(1), a_structural(1), flux, ddfddt, a_ddt(1), a_fdr(1), a_statev(1), &
             sed, sfd, spd, svd, scd, pnewdt, a_rdisp(1), a_drdisp(1), temp, dtemp, predef, dpred, time, dtime, freqr, &
             ciname, secname, mainname, a_props(1), coords, alocaldir, drot, area, chrlngth, 34, ndir, nstatv, npred, &

@@ -28,6 +28,7 @@ subroutine ask()
     moved = rdisp
     slip = (trial - stress(2:)) / stiffness
     call increment(2 * press / of_pressure, -3 * slip + 1 / stiffness)
+    call elsewhere()
     call back()
     call increment(press / of_pressure, slip)
     is_refused = pnewdt < 1
@@ -45,6 +46,7 @@ subroutine ask()
     if (any(abs(ddsddr(1, 2:)) > 0)) call fail('DDSDDR(1,2) is not 0: the pressure does not depend on the slip')
     call look_at_states('STATEV', statev, max(most, maxval(abs(x)), stiffness, 1 / stiffness, of_pressure, &
         1 / of_pressure, maxval(abs(slip)), press / of_pressure))
+    call elsewhere()
     call back()
     call increment(press / of_pressure, slip)
     if (differ(stress(2:), y, maxval(abs(y))) .or. differ([ddsddr], [by_motion], maxval(abs(by_motion)))) then
@@ -55,6 +57,6 @@ contains
         stress = before
         statev = states
         rdisp = moved
-        kinc = kinc - 1
+        kinc = 2
     end subroutine back
 end subroutine ask

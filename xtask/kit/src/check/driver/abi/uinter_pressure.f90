@@ -9,6 +9,7 @@ subroutine ask()
     states = statev
     moved = rdisp
     call increment(-x(1) / 2, [0.25_dp * x(1)])
+    call elsewhere()
     call back()
     call increment(x(1), [0.0_dp])
     is_refused = pnewdt < 1
@@ -17,6 +18,7 @@ subroutine ask()
     is_known(1, 2:) = .false.
     if (any(abs(ddsddr(1, 2:)) > 0)) call fail('DDSDDR(1,2) is not 0: the pressure does not depend on the slip')
     call look_at_states('STATEV', statev, max(maxval(abs(x)), maxval(abs(props)), abs(y(1))))
+    call elsewhere()
     call back()
     call increment(x(1), [0.0_dp])
     if (differ(stress(1:1), y, abs(y(1))) .or. differ(ddsddr(1:1, 1), jacobian(1, 1:1), abs(jacobian(1, 1)))) then
@@ -27,6 +29,6 @@ contains
         stress = before
         statev = states
         rdisp = moved
-        kinc = kinc - 1
+        kinc = 2
     end subroutine back
 end subroutine ask

@@ -96,6 +96,7 @@ contains
         iit = iteration
         idiscon = 0
         terms = n
+        call clear_stack()
         call umpc_user(a_x(1), a_u(1), f, a_a(1), a_jdof(1), terms, given, iit, idiscon)
         call look_around('X', a_x, 3 * n)
         call look_around('U', a_u, 3 * n)
