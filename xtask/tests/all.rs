@@ -7,6 +7,7 @@ mod check_abi;
 mod check_ports;
 mod cli;
 mod common;
+mod derivatives;
 mod export;
 mod families;
 mod golden;

@@ -12,8 +12,11 @@ pub(super) fn mutants(family: &Family) -> Vec<Member> {
             if family.same.iter().any(|(same, text)| *same == rule && line.trim() == *text) {
                 continue;
             }
-            let body: String =
-                lines.iter().enumerate().map(|(at, line)| format!("{}\n", if at == k { &changed } else { *line })).collect();
+            let body: String = lines
+                .iter()
+                .enumerate()
+                .map(|(at, line)| format!("{}\n", if at == k { &changed } else { *line }))
+                .collect();
             let declared = if rule == LAST { "    real(dp), save :: last = 1\n    real(dp) :: now\n" } else { "" };
             members.push(family.member(format!("{rule}, line {place}"), declared, &body));
         }
@@ -44,7 +47,12 @@ fn changes(family: &Family, line: &str) -> Vec<(String, String)> {
         add("doubled", format!("{left} = 2 * ({right})"));
     }
     let is_constant = right.parse::<f64>().is_ok();
-    if !is_constant && !left.contains(':') && !right.contains([':', '[']) && !ARRAYS.contains(&left) && !left.starts_with("code") {
+    if !is_constant
+        && !left.contains(':')
+        && !right.contains([':', '['])
+        && !ARRAYS.contains(&left)
+        && !left.starts_with("code")
+    {
         add(LAST, format!("now = {right}; {left} = {}; last = now", if left == "k" { "nint(last)" } else { "last" }));
     }
     for (name, text) in without(family, right) {

@@ -1,5 +1,6 @@
 //! `check`: calls someone else's program, in any language, through a pipe and judges it.
 
+use super::derivative;
 use super::driver::abi::Abi;
 use super::driver::{self, Driver, Lang};
 use super::listen::{Manner, listen};
@@ -31,14 +32,26 @@ use std::time::Duration;
   {command} check --formula {formula} --driver fortran > mine.f90   to begin with
   {command} check --formula {formula} --json -- node mine.js        JSON lines
   {command} check --formula {formula} --format github --at mine.f90:40 -- ./mine
+  {command} check --derivative element.toml --out around             a driver for any UEL or FRIC
+  {command} check --derivative element.toml -- ./a.out               its AMATRX against the derivative of its RHS
   {command} check --formula {formula} --point '{point}' -- ./mine")]
 #[expect(clippy::struct_excessive_bools, reason = "each is a switch of the command line")]
 pub(crate) struct Arguments {
     /// The formula, by its identifier
-    #[arg(long, value_name = "ID")]
+    #[arg(
+        long,
+        value_name = "ID",
+        required_unless_present = "derivative",
+        default_value = "",
+        hide_default_value = true
+    )]
     formula: String,
+    /// Check the matrix of any routine against the derivative of its own value, without a formula; the file says how it is
+    /// called and at which state
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["formula", "driver", "abi"])]
+    derivative: Option<PathBuf>,
     /// The program and its arguments, after `--`
-    #[arg(last = true, value_name = "PROGRAM", required_unless_present_any = ["driver", "abi"])]
+    #[arg(last = true, value_name = "PROGRAM", required_unless_present_any = ["driver", "abi", "out"])]
     program: Vec<String>,
     /// Print a program in this language to start from; only the call of your own code is missing
     #[arg(long, value_enum, value_name = "LANGUAGE", conflicts_with = "program")]
@@ -47,7 +60,7 @@ pub(crate) struct Arguments {
     #[arg(long, value_enum, value_name = "INTERFACE", conflicts_with_all = ["program", "driver"])]
     abi: Option<Abi>,
     /// Write that program to a folder, with ABA_PARAM.INC and with XIT and other utility routines to be linked
-    #[arg(long, value_name = "FOLDER", requires = "abi")]
+    #[arg(long, value_name = "FOLDER", conflicts_with = "program")]
     out: Option<PathBuf>,
     /// In a driver, call the exported formula, as an example that passes
     #[arg(long, requires = "driver")]
@@ -130,6 +143,14 @@ impl Arguments {
 }
 
 pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
+    let limit = Duration::try_from_secs_f64(arguments.limit).ok().filter(|limit| !limit.is_zero());
+    let limit = limit.ok_or_else(|| Usage("--limit is not a time above 0 in seconds".into()))?;
+    if let Some(file) = &arguments.derivative {
+        return match &arguments.out {
+            Some(folder) => derivative::write_driver(file, folder),
+            None => derivative::run(file, &arguments.program, limit),
+        };
+    }
     let formula = project.named("--formula", &arguments.formula)?;
     if let Some(lang) = arguments.driver {
         print(&driver(formula, arguments, lang)?)?;
@@ -142,8 +163,6 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
         })?;
         return Ok(verdict(true));
     }
-    let limit = Duration::try_from_secs_f64(arguments.limit).ok().filter(|limit| !limit.is_zero());
-    let limit = limit.ok_or_else(|| Usage("--limit is not a time above 0 in seconds".into()))?;
     let mut questions = asked(formula, arguments)?;
     if arguments.valid_only {
         questions.retain(|question| !question.must_be_refused());

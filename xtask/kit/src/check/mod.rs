@@ -2,6 +2,7 @@
 //! called directly.
 
 mod command;
+mod derivative;
 mod driver;
 mod json;
 mod line;

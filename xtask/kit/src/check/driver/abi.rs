@@ -99,13 +99,8 @@ const FRICTION: Places = &[
 ];
 
 /// The equations of a line.
-const ONE_EQUATION: Places = &[
-    ("more", ""),
-    (
-        "nodes",
-        "The nodes of the terms are m, node 1 and\n! node n, twice each.",
-    ),
-];
+const ONE_EQUATION: Places =
+    &[("more", ""), ("nodes", "The nodes of the terms are m, node 1 and\n! node n, twice each.")];
 const TWO_EQUATIONS: Places = &[
     ("more", " + 1"),
     (
@@ -144,10 +139,7 @@ impl Abi {
                         interaction::PressureLinear::SPEC.id,
                         &[LINEAR, PRESSURE, &[("set", "props = [x(2), 4.0_dp, 0.375_dp]")]],
                     ),
-                    (
-                        interaction::PressureExponential::SPEC.id,
-                        &[EXPONENTIAL, PRESSURE, &[("set", "props = x(2:)")]],
-                    ),
+                    (interaction::PressureExponential::SPEC.id, &[EXPONENTIAL, PRESSURE, &[("set", "props = x(2:)")]]),
                 ],
             },
             Self::Uel => Interface {
@@ -183,14 +175,26 @@ pub(crate) fn text(abi: Abi, formula: &dyn AnyFormula) -> Result<String, Usage> 
         let ids: Vec<_> = computes.iter().map(|(id, _)| *id).collect();
         return Err(Usage(format!("--abi: a routine {routine} does not compute {id}, but\n  {}", ids.join("\n  "))));
     };
-    let (notes, ask) = template.split_once("\n---\n").expect("a template has notes and a subroutine");
-    let [inputs, outputs] = sizes(formula).map(|size| size.to_string());
+    let asked = format!("check --formula {id} --valid-only");
+    let text = around(routine, template, sizes(formula), &asked).replace("{id}", id);
+    Ok(places.iter().copied().flatten().fold(text, |text, (name, what)| filled(&text, name, what)))
+}
+
+/// The program around a call: a template has notes for its head, a line `---`, and the module with the call.
+pub(in crate::check) fn around(routine: &str, template: &str, [inputs, outputs]: [usize; 2], asked: &str) -> String {
+    let (notes, ask) = template.split_once("\n---\n").expect("a template has notes and a module");
     let file = routine.to_lowercase() + ".f";
-    let own = [("notes", notes), ("ask", ask), ("id", id), ("routine", routine), ("file", &file)];
-    let sizes = [("inputs", inputs.as_str()), ("outputs", outputs.as_str())];
-    let text = own.iter().fold(include_str!("abi/answer.f90").to_owned(), |text, (name, what)| filled(&text, name, what));
-    let filled_in = places.iter().copied().flatten().chain(&sizes);
-    Ok(filled_in.fold(text, |text, (name, what)| filled(&text, name, what)))
+    let (inputs, outputs) = (inputs.to_string(), outputs.to_string());
+    let filled_in = [
+        ("notes", notes),
+        ("ask", ask),
+        ("asked", asked),
+        ("routine", routine),
+        ("file", &file),
+        ("inputs", &inputs),
+        ("outputs", &outputs),
+    ];
+    filled_in.iter().fold(include_str!("abi/answer.f90").to_owned(), |text, (name, what)| filled(&text, name, what))
 }
 
 /// Writes the driver of an interface to a folder, and beside it what routines of Abaqus include and call.
@@ -198,9 +202,16 @@ pub(crate) fn text(abi: Abi, formula: &dyn AnyFormula) -> Result<String, Usage> 
 /// # Errors
 /// If routines with this interface do not compute the formula, or a file cannot be written.
 pub(crate) fn write(abi: Abi, formula: &dyn AnyFormula, folder: &Path) -> anyhow::Result<String> {
-    let driver = format!("{}_driver.f90", abi.interface().routine.to_lowercase());
-    let text = text(abi, formula)?;
-    let all = [(driver.as_str(), text.as_str()), ("jp_stubs.f90", STUBS), ("ABA_PARAM.INC", ABA_PARAM)];
+    write_text(&abi.interface().routine.to_lowercase(), &text(abi, formula)?, folder)
+}
+
+/// Writes a driver to a folder, and beside it what routines of Abaqus include and call.
+///
+/// # Errors
+/// If a file cannot be written.
+pub(in crate::check) fn write_text(routine: &str, text: &str, folder: &Path) -> anyhow::Result<String> {
+    let driver = format!("{routine}_driver.f90");
+    let all = [(driver.as_str(), text), ("jp_stubs.f90", STUBS), ("ABA_PARAM.INC", ABA_PARAM)];
     for (name, text) in all {
         files::write(&folder.join(name), text)?;
     }

@@ -1,4 +1,4 @@
-! Answers `jointproof check --formula {id} --valid-only -- PROGRAM` with a routine {routine}:
+! Answers `jointproof {asked} -- PROGRAM` with a routine {routine}:
 !
 !     gfortran -std=legacy this.f90 {file}
 !
