@@ -59,9 +59,13 @@ const MISTAKES: &[Mistake] = &[
     Mistake {
         element: QUAD,
         texts: &[["+ volume * slope(j, n) * moduli", "+ area * slope(j, n) * moduli"]],
-        says: "AMATRX is 1.333333333 times as it should be",
+        says: "AMATRX is 1.333333333 times what it should be",
     },
-    Mistake { element: QUAD, texts: &[["(props(2) - props(1) * log(jacobian))", "props(2)"]], says: "" },
+    Mistake {
+        element: QUAD,
+        texts: &[["(props(2) - props(1) * log(jacobian))", "props(2)"]],
+        says: "a term that comes with stresses or strains",
+    },
     Mistake { element: QUAD, texts: &[["g(j, k) * g(l, i)", "g(j, i) * g(l, k)"]], says: "" },
     Mistake { element: QUAD, texts: &[[END, "    amatrx(:, 8) = 0\n"]], says: "missing: AMATRX(:,8) is 0" },
     Mistake {
@@ -91,7 +95,11 @@ const MISTAKES: &[Mistake] = &[
         texts: &[[END, "    amatrx(:, 4) = whole(:, 5)\n    amatrx(:, 5) = whole(:, 4)\n"]],
         says: "columns 4 and 5 of AMATRX are exchanged",
     },
-    Mistake { element: BEAM, texts: &[["- cross(n, between)", "- 0 * between"]], says: "" },
+    Mistake {
+        element: BEAM,
+        texts: &[["m = props(5:7) * curved / (2 * props(1))", "m = props(5:7) * real(curved) / (2 * props(1))"]],
+        says: "",
+    },
 ];
 
 /// A routine compiled with its driver.

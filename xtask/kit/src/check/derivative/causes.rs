@@ -7,12 +7,12 @@ use super::spec::Turning;
 /// How precisely a mistake must give the matrix, in parts of the largest of a row.
 const PRECISION: f64 = 1e-7;
 
-/// The cause of a wrong matrix, in words; `None` for one that is not known.
-pub(super) fn cause(all: &[Compared], names: [&str; 3], by: Turning) -> Option<String> {
+/// The cause of a wrong matrix, in words; `None` for one that is not known. `dim` is the number of coordinates of a node.
+pub(super) fn cause(all: &[Compared], names: [&str; 3], by: Turning, dim: usize) -> Option<String> {
     let matrix = names[2].trim_start_matches('-');
     whole(all, names)
         .or_else(|| rotations(all, matrix, by))
-        .or_else(|| of_state(all, names))
+        .or_else(|| of_state(all, names, dim))
         .or_else(|| parts(all, names))
 }
 
@@ -48,7 +48,7 @@ fn whole(all: &[Compared], [value, input, name]: [&str; 3]) -> Option<String> {
         return Some(format!("{matrix} is 0 throughout"));
     }
     if let Some(factor) = factor(all, |_, _| true).filter(|&f| explains(all, |one, r, c| f * one.exact.at(r, c))) {
-        return Some(format!("{matrix} is {} as it should be", times(factor)));
+        return Some(format!("{matrix} is {}", times(factor)));
     }
     if !is_square(all) {
         return None;
@@ -77,16 +77,19 @@ fn whole(all: &[Compared], [value, input, name]: [&str; 3]) -> Option<String> {
 fn times(factor: f64) -> String {
     let degrees = std::f64::consts::PI / 180.0;
     let is = |known: f64| (factor / known - 1.0).abs() < 1e-6;
-    let known = [(2.0, "twice"), (0.5, "half"), (-2.0, "minus twice"), (-0.5, "minus half"), (-1.0, "minus once")];
-    if is(degrees) || is(1.0 / degrees) {
-        return format!("{factor:.6} times (units: degrees for radians)");
-    }
+    let known = [(2.0, "twice"), (0.5, "half"), (-2.0, "minus twice"), (-0.5, "minus half"), (-1.0, "minus")];
     if let Some((_, word)) = known.into_iter().find(|&(known, _)| is(known)) {
-        return word.to_owned();
+        return format!("{word} what it should be");
     }
     let power = factor.abs().log10();
-    let units = if (power - power.round()).abs() < 1e-6 { " (units)" } else { "" };
-    format!("{} times{units}", rounded(factor))
+    let why = if is(degrees) || is(1.0 / degrees) {
+        " (units: degrees for radians)"
+    } else if (power - power.round()).abs() < 1e-6 {
+        " (units)"
+    } else {
+        ""
+    };
+    format!("{} times what it should be{why}", rounded(factor))
 }
 
 fn rounded(x: f64) -> String {
@@ -132,7 +135,7 @@ fn rotations(all: &[Compared], matrix: &str, by: Turning) -> Option<String> {
 }
 
 /// Matrices of another state.
-fn of_state(all: &[Compared], [value, input, name]: [&str; 3]) -> Option<String> {
+fn of_state(all: &[Compared], [value, input, name]: [&str; 3], dim: usize) -> Option<String> {
     let matrix = name.trim_start_matches('-');
     if all.iter().any(|one| {
         let [first, last] = &one.at.found;
@@ -162,10 +165,12 @@ fn of_state(all: &[Compared], [value, input, name]: [&str; 3]) -> Option<String>
         let carries = |one: &Compared| one.at.value.iter().any(|force| force.abs() > 0.0);
         if rest.wrong().is_empty() && is_elsewhere && others.clone().all(carries) && is_square(all) && is_symmetric(all)
         {
-            return Some(format!(
-                "{matrix} is right at {input} = 0, and what it lacks elsewhere is symmetric: the part that comes with the forces, \
-                 the geometric stiffness"
-            ));
+            let part = if is_geometric(all, dim) {
+                "the geometric stiffness"
+            } else {
+                "a term that comes with stresses or strains"
+            };
+            return Some(format!("{matrix} is right at {input} = 0, and what it lacks elsewhere is symmetric: {part}"));
         }
     }
     None
@@ -178,6 +183,21 @@ fn is_symmetric(all: &[Compared]) -> bool {
         let allowed = |r: usize, c: usize| 30.0 * one.errors.at(r, c) + PRECISION * one.units.at(r, c);
         (0..lacks.rows())
             .all(|r| (0..r).all(|c| (lacks.at(r, c) - lacks.at(c, r)).abs() <= allowed(r, c) + allowed(c, r)))
+    })
+}
+
+/// Whether what a matrix lacks is, for each two nodes, a multiple of the unit matrix, as stresses times gradients are.
+fn is_geometric(all: &[Compared], dim: usize) -> bool {
+    all.iter().all(|one| {
+        let found = one.found();
+        let lacks = |r: usize, c: usize| found.at(r, c) - one.exact.at(r, c);
+        (0..found.entries.len()).all(|k| {
+            let (r, c) = (k / found.columns, k % found.columns);
+            let [i, j] = [r % dim, c % dim];
+            let expected = if i == j { lacks(r - i, c - j) } else { 0.0 };
+            let allowed = |r: usize, c: usize| 30.0 * one.errors.at(r, c) + PRECISION * one.units.at(r, c);
+            (lacks(r, c) - expected).abs() <= allowed(r, c) + allowed(r - i, c - j)
+        })
     })
 }
 
@@ -199,7 +219,7 @@ fn parts(all: &[Compared], [value, input, name]: [&str; 3]) -> Option<String> {
         return Some(format!("the sign is turned of {matrix}{place}"));
     }
     if let Some(factor) = factor(all, is_wrong).filter(|&factor| by(factor)) {
-        return Some(format!("{matrix}{place} is {} as it should be", times(factor)));
+        return Some(format!("{matrix}{place} is {}", times(factor)));
     }
     if is_square(all) {
         let transposed = |one: &Compared, r: usize, c: usize| {
@@ -302,9 +322,9 @@ mod tests {
 
     #[test]
     fn factors_have_names() {
-        assert_eq!(times(2.0), "twice");
-        assert_eq!(times(1000.0), "1000 times (units)");
+        assert_eq!(times(2.0), "twice what it should be");
+        assert_eq!(times(1000.0), "1000 times what it should be (units)");
         assert!(times(std::f64::consts::PI / 180.0).ends_with("(units: degrees for radians)"));
-        assert_eq!(times(1.25), "1.25 times");
+        assert_eq!(times(1.25), "1.25 times what it should be");
     }
 }

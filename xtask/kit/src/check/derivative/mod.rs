@@ -238,8 +238,8 @@ fn report(spec: &Spec, found: &Found) -> Report {
         )
     };
     if off > 0 {
-        let cause =
-            causes::cause(all, names, spec.by).unwrap_or_else(|| "none of the known mistakes explains it".into());
+        let cause = causes::cause(all, names, spec.by, spec.coords.first().map_or(1, Vec::len))
+            .unwrap_or_else(|| "none of the known mistakes explains it".into());
         let _ = writeln!(text, "    cause: {cause}");
         list(all, &wrong, spec.names(), &mut text);
     }
