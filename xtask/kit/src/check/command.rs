@@ -1,9 +1,9 @@
 //! `check`: calls someone else's program, in any language, through a pipe and judges it.
 
-use super::derivative;
 use super::driver::abi::Abi;
 use super::driver::{self, Driver, Lang};
 use super::listen::{Manner, listen};
+use super::{derivative, element};
 use crate::console::print;
 use crate::outcome::{Outcome, Usage, verdict};
 use crate::project::Project;
@@ -41,15 +41,18 @@ pub(crate) struct Arguments {
     #[arg(
         long,
         value_name = "ID",
-        required_unless_present = "derivative",
+        required_unless_present_any = ["derivative", "element"],
         default_value = "",
         hide_default_value = true
     )]
     formula: String,
     /// Check the matrix of any routine against the derivative of its own value, without a formula; the file says how it is
     /// called and at which state
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["formula", "driver", "abi"])]
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["formula", "element", "driver", "abi"])]
     derivative: Option<PathBuf>,
+    /// Check a UEL against this element, by its identifier: its forces, conditions, stiffness and states
+    #[arg(long, value_name = "ID", conflicts_with_all = ["formula", "driver"])]
+    element: Option<String>,
     /// The program and its arguments, after `--`
     #[arg(last = true, value_name = "PROGRAM", required_unless_present_any = ["driver", "abi", "out"])]
     program: Vec<String>,
@@ -145,11 +148,21 @@ impl Arguments {
 pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     let limit = Duration::try_from_secs_f64(arguments.limit).ok().filter(|limit| !limit.is_zero());
     let limit = limit.ok_or_else(|| Usage("--limit is not a time above 0 in seconds".into()))?;
+    if let Some(id) = &arguments.element {
+        return match arguments.abi {
+            Some(Abi::Uel) => element::driver(project, id, arguments.out.as_deref()),
+            Some(_) => Err(Usage("--element: elements are routines UEL: --abi uel".into()).into()),
+            None => element::run(project, id, &arguments.program, limit),
+        };
+    }
     if let Some(file) = &arguments.derivative {
         return match &arguments.out {
             Some(folder) => derivative::write_driver(file, folder),
             None => derivative::run(file, &arguments.program, limit),
         };
+    }
+    if arguments.out.is_some() && arguments.abi.is_none() {
+        return Err(Usage("--out is for a driver: with --abi, or with --derivative FILE".into()).into());
     }
     let formula = project.named("--formula", &arguments.formula)?;
     if let Some(lang) = arguments.driver {

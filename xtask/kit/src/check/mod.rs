@@ -4,6 +4,7 @@
 mod command;
 mod derivative;
 mod driver;
+mod element;
 mod json;
 mod line;
 mod listen;

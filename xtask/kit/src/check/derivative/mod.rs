@@ -16,6 +16,7 @@ use compared::{Answered, Compared, Table};
 use judge::{Answer, Manners};
 use quotients::Slope;
 use spec::{Routine, Spec, Turning};
+pub(super) use states::rotation;
 use states::{Line, State, line, states};
 use std::fmt::Write;
 use std::path::Path;

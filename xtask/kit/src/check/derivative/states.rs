@@ -93,6 +93,16 @@ fn spun(x: &[f64], triple: [usize; 3], place: usize, angle: f64) -> Vec<f64> {
     x
 }
 
+/// The matrix of a rotation vector, row by row.
+pub(in crate::check) fn rotation(theta: [f64; 3]) -> [[f64; 3]; 3] {
+    let [w, x, y, z] = quaternion(theta);
+    [
+        [1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)],
+        [2.0 * (x * y + w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - w * x)],
+        [2.0 * (x * z - w * y), 2.0 * (y * z + w * x), 1.0 - 2.0 * (x * x + y * y)],
+    ]
+}
+
 /// The scalar part comes first.
 fn quaternion(theta: [f64; 3]) -> [f64; 4] {
     let angle = norm(theta);

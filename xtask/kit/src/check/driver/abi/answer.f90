@@ -14,7 +14,7 @@ module driver_checks
     integer, parameter :: margin = 200, integer_guard = -987654321
     real(dp), parameter :: guard = -9.87654321e99_dp
     real(dp) :: x(inputs), y(outputs), jacobian(outputs, inputs)
-    logical :: is_known(outputs, inputs), is_refused
+    logical :: is_known(outputs, inputs), has_jacobian, is_refused
     character(len=240) :: fault
     real(dp) :: of_stack
 contains
@@ -151,6 +151,7 @@ program answer
         read (*, *, iostat=status) x
         if (status /= 0) exit
         is_known = .true.
+        has_jacobian = .true.
         is_refused = .false.
         fault = ' '
         call ask()
@@ -160,7 +161,7 @@ program answer
             write (*, '(a)') 'refuse'
         else
             write (*, '(*(es25.16e3))', advance='no') y
-            do row = 1, outputs
+            do row = 1, merge(outputs, 0, has_jacobian)
                 do column = 1, inputs
                     if (is_known(row, column)) then
                         write (*, '(es25.16e3)', advance='no') jacobian(row, column)
