@@ -4,6 +4,7 @@ mod audit;
 mod book;
 mod check;
 mod check_abi;
+mod check_elements;
 mod check_ports;
 mod cli;
 mod common;
