@@ -25,6 +25,8 @@ const BESIDE: usize = 2;
 const ROUNDINGS: f64 = 1e4;
 /// An error that is always allowed, in parts of the largest number of its kind.
 const PRECISION: f64 = 1e-10;
+/// The largest length of a comment.
+const WIDTH: usize = 120;
 /// A rounding of a number of size 1.
 const ROUNDING: f64 = 2e-16;
 
@@ -311,7 +313,24 @@ fn text(element: &dyn AnyElement) -> String {
     ];
     let template = include_str!("driver/abi/uel_element.f90").to_owned();
     let template = values.iter().fold(template, |text, (name, value)| text.replace(&format!("{{{name}}}"), value));
+    let is_note = |line: &str| line.starts_with("! ") && line.len() > WIDTH;
+    let lines = template.lines().map(|line| if is_note(line) { wrapped(line) } else { line.to_owned() });
+    let template = lines.collect::<Vec<_>>().join("\n");
     abi::around("UEL", &template, mapping.numbers(), &format!("check --element {id}"))
+}
+
+/// A comment in lines that are not too long.
+fn wrapped(line: &str) -> String {
+    let mut lines = vec!["!".to_owned()];
+    for word in line.split_whitespace().skip(1) {
+        let last = lines.len() - 1;
+        if lines[last].len() + word.len() < WIDTH {
+            lines[last] += &format!(" {word}");
+        } else {
+            lines.push(format!("! {word}"));
+        }
+    }
+    lines.join("\n")
 }
 
 /// Compares a routine with an element.

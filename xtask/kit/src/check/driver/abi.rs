@@ -83,7 +83,7 @@ const EXPONENTIAL: Places =
     &[("props", "the clearance at which the pressure is 0, and the pressure at touch"), ("nprops", "2")];
 const PRESSURE: Places = &[
     ("ndir", "2"),
-    ("history", "! There are two increments, the second of which ends at the overclosure in question."),
+    ("history", "! There are two increments, the second of which, in a second step, ends at the overclosure in question."),
     ("problem", include_str!("abi/uinter_pressure.f90")),
     ("open", "! What a pressure is while surfaces are apart, its law says."),
 ];
@@ -91,8 +91,8 @@ const FRICTION: Places = &[
     ("ndir", "outputs + 1"),
     (
         "history",
-        "! Both stiffnesses differ from point to point. There are three increments: it slips, then sticks, then goes to the trial\n\
-         ! traction STRESS + PROPS(2) DRDISP.",
+        "! Both stiffnesses differ from point to point. There are three increments: it slips, then sticks, then, in a second step,\n\
+         ! goes to the trial traction STRESS + PROPS(2) DRDISP.",
     ),
     ("problem", include_str!("abi/uinter_friction.f90")),
     ("open", "if (any(abs(stress) > 0)) call fail('STRESS is not 0 while the surfaces are apart')"),

@@ -1,6 +1,6 @@
 ! PROPS(1) is the friction coefficient and PROPS(2) the stiffness K while it sticks, which differs from point to point.
-! There are three increments: it slips, then sticks, then goes to the trial traction TAU + K DGAM. Before the last one it
-! is asked for another DGAM, as if that increment were cut back. TAU and STATEV (10 of them, 0 at first) are carried.
+! There are three increments: it slips, then sticks, then, in a second step, goes to the trial traction TAU + K DGAM. Before the
+! last one it is asked for another DGAM, as if that increment were cut back. TAU and STATEV (10 of them, 0 at first) are carried.
 ! DDTDDG and DDTDDP come in as the last call left them, and other points are asked for in between.
 ! A routine that sticks by LM = 1 need not set anything else while it sticks; TAULM is then the trial traction. DSLIP may
 ! stay as it is; where it is set it is the slip that is not elastic. PNEWDT < 1 refuses a point.
@@ -142,6 +142,7 @@ contains
         real(dp) :: a_taulm(1 - g:nfdir + g), a_slip(1 - g:nfdir + g), a_props(1 - g:nprops + g)
         real(dp) :: sed, sfd, pressure, dpress, ddpddh, time(2), dtime, coords(mcrd), rcoord(mcrd)
         real(dp) :: drot(2, 2), temp(2), predef(2, npred), chrlngth(2), taulm(nfdir), coefficient(nprops)
+        integer :: kstep, in_step
         character(len=80) :: ciname, slname, msname
         external :: fric
         lm = 1
@@ -151,6 +152,9 @@ contains
             taulm = 0
         end if
         kinc = kinc + 1
+        ! The third increment is the first of the second step.
+        kstep = merge(2, 1, kinc > 2)
+        in_step = kinc - 2 * (kstep - 1)
         coefficient = props
         a_tau = guard
         a_tau(1:nfdir) = tau
@@ -191,7 +195,7 @@ contains
         msname = 'MASTER'
         call clear_stack()
         call fric(lm, a_tau(1), a_ddg(1), a_ddp(1), a_dslip(1), sed, sfd, a_ddt(1), pnewdt, a_statev(1), a_dgam(1), &
-            a_taulm(1), pressure, dpress, ddpddh, a_slip(1), 2, kinc, time, dtime, 12, ciname, slname, msname, 3, 34, 2, &
+            a_taulm(1), pressure, dpress, ddpddh, a_slip(1), kstep, in_step, time, dtime, 12, ciname, slname, msname, 3, 34, 2, &
             coords, rcoord, drot, temp, predef, nfdir, mcrd, npred, nstatv, chrlngth, a_props(1), nprops)
         call look_around('TAU', a_tau, nfdir)
         call look_around('DDTDDG', a_ddg, nfdir**2)

@@ -52,13 +52,16 @@ contains
         real(dp) :: a_props(1 - g:nprops + g), flux(2), ddfddt(2, 2), sed, sfd, spd, svd, scd, temp(2), dtemp(2)
         real(dp) :: predef(2, npred), dpred(2, npred), time(2), dtime, freqr, coords(mcrd), alocaldir(3, 3), drot(2, 2)
         real(dp) :: area, chrlngth, moved(ndir), motion(ndir)
-        integer :: lopenclose, lstate, lsdi
+        integer :: lopenclose, lstate, lsdi, kstep, in_step
         character(len=80) :: ciname, secname, mainname
         external :: uinter
         given = props
         motion = [overclosure - rdisp(1), slip]
         moved = [overclosure, rdisp(2:) + slip]
         kinc = kinc + 1
+        ! The third increment is the first of the second step.
+        kstep = merge(2, 1, kinc > 2)
+        in_step = kinc - 2 * (kstep - 1)
         a_stress = guard
         a_stress(1:ndir) = stress
         a_ddr = guard
@@ -109,7 +112,7 @@ contains
         call uinter(a_stress(1), a_ddr(1), a_viscous(1), a_structural(1), flux, ddfddt, a_ddt(1), a_fdr(1), a_statev(1), &
             sed, sfd, spd, svd, scd, pnewdt, a_rdisp(1), a_drdisp(1), temp, dtemp, predef, dpred, time, dtime, freqr, &
             ciname, secname, mainname, a_props(1), coords, alocaldir, drot, area, chrlngth, 34, ndir, nstatv, npred, &
-            nprops, mcrd, 2, kinc, 2, 0, lopenclose, lstate, lsdi, 0)
+            nprops, mcrd, kstep, in_step, 2, 0, lopenclose, lstate, lsdi, 0)
         call look_around('STRESS', a_stress, ndir)
         call look_around('DDSDDR', a_ddr, ndir**2)
         call look_around('DVISCOUS', a_viscous, ndir**2)
