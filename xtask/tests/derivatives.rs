@@ -108,7 +108,7 @@ fn compiled(bench: &Bench, file: &str, text: &str, toml: &str) -> String {
     std::fs::write(bench.path(file), text).unwrap();
     let (out, toml) = (bench.path(""), bench.path("element.toml"));
     bench.run(&["check", "--derivative", toml.to_str().unwrap(), "--out", out.to_str().unwrap()]).exits(0);
-    let driver = if text.contains("subroutine fric") { "fric_driver.f90" } else { "uel_driver.f90" };
+    let driver = if text.contains("subroutine fric(") { "fric_driver.f90" } else { "uel_driver.f90" };
     let flags = ["-std=legacy", "-O1", "-Wall", "-Wno-unused-dummy-argument", "-ffp-contract=off", "-o", "port"];
     let files = [driver, "jp_stubs.f90", file];
     let output = Command::new("gfortran").args(flags).args(files).current_dir(&out).output().unwrap();
@@ -161,6 +161,21 @@ fn mistakes_of_elements_are_found_and_named() {
         }
     }
     println!("{} mistakes, all found, {named} named", MISTAKES.len());
+}
+
+/// An element that takes DU, with states at the start, and the interface with a material.
+#[test]
+fn an_element_in_increments_is_compared_from_the_start_of_its_increment() {
+    if !Lang::Fortran.is_here() {
+        return;
+    }
+    let text = include_str!("derivative/plastic.f90");
+    let toml = "routine = \"uelmat\"\ncoords = [[0.0], [10.0]]\nprops = [200.0, 1.0, 20.0, 3.0]\nsvars = [0.01, 0.5]\n\
+                at = [0.02, 0.5]\nincrement = [0.0, 0.4]\nscales = [0.05, 0.05]\n";
+    let ran = checked("plastic.f90", text, toml).exits(0);
+    assert!(digits(&ran) >= 8.0, "{ran:?}");
+    checked("plastic.f90", &text.replace("modulus = props(1) * props(3)", "modulus = props(1) * props(1)"), toml)
+        .exits(1);
 }
 
 const FRIC: &str = include_str!("derivative/fric.f90");

@@ -199,7 +199,7 @@ const UINTER: &[Variant] = &[
     ),
     (
         "initialises STATEV in the first increment",
-        &[("    ddsddr(1, 1) = 0\n", "    ddsddr(1, 1) = 0\n    if (kinc == 1) statev(1:10) = 0\n")],
+        &[("    ddsddr(1, 1) = 0\n", "    ddsddr(1, 1) = 0\n    if (kstep == 1 .and. kinc == 1) statev(1:10) = 0\n")],
     ),
 ];
 

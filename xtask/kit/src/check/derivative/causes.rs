@@ -204,12 +204,9 @@ fn is_geometric(all: &[Compared], dim: usize) -> bool {
 /// Mistakes of single entries, rows, columns and blocks.
 fn parts(all: &[Compared], [value, input, name]: [&str; 3]) -> Option<String> {
     let matrix = name.trim_start_matches('-');
-    let mut wrong: Vec<_> = all.iter().flat_map(Compared::wrong).collect();
-    wrong.sort_unstable();
-    wrong.dedup();
-    let first = all.first()?.found();
+    let wrong = wrong(all);
     let is_wrong = |r: usize, c: usize| wrong.binary_search(&(r, c)).is_ok();
-    let place = block(&wrong, first.rows(), first.columns);
+    let place = place(all);
     let by =
         |f: f64| explains(all, |one, r, c| if is_wrong(r, c) { f * one.exact.at(r, c) } else { one.exact.at(r, c) });
     if by(0.0) {
@@ -230,6 +227,19 @@ fn parts(all: &[Compared], [value, input, name]: [&str; 3]) -> Option<String> {
         }
     }
     exchanged(all, matrix).or_else(|| inexact(all, matrix))
+}
+
+/// The entries that are wrong at a state or more, in order.
+fn wrong(all: &[Compared]) -> Vec<(usize, usize)> {
+    let mut wrong: Vec<_> = all.iter().flat_map(Compared::wrong).collect();
+    wrong.sort_unstable();
+    wrong.dedup();
+    wrong
+}
+
+/// Where the wrong entries are: `(1:3,7)`.
+pub(super) fn place(all: &[Compared]) -> String {
+    all.first().map_or(String::new(), |one| block(&wrong(all), one.found().rows(), one.found().columns))
 }
 
 /// Two rows or two columns that are exchanged.

@@ -1,18 +1,22 @@
 //! Programs that call a routine at the states asked for.
 
+use super::super::driver::abi::around;
 use super::spec::{Routine, Spec};
 use crate::outcome::Usage;
 
-/// The driver of a routine.
+/// The driver of a routine, after the name of its file.
 ///
 /// # Errors
 /// A program needs none.
-pub(super) fn text(spec: &Spec) -> Result<String, Usage> {
+pub(super) fn text(spec: &Spec) -> Result<(&'static str, String), Usage> {
     let (routine, template) = match spec.routine {
         Routine::Uel => ("UEL", include_str!("uel_at.f90")),
+        Routine::Uelmat => ("UELMAT", include_str!("uel_at.f90")),
         Routine::Fric => ("FRIC", include_str!("fric_at.f90")),
         Routine::Program => {
-            return Err(Usage("--out: a program answers for itself; only `uel` and `fric` have a driver".into()));
+            return Err(Usage(
+                "--out: a program answers for itself; only `uel`, `uelmat` and `fric` have a driver".into(),
+            ));
         }
     };
     let numbers = |numbers: &[f64]| -> Vec<String> { numbers.iter().map(|x| format!("{x:e}_dp")).collect() };
@@ -20,13 +24,21 @@ pub(super) fn text(spec: &Spec) -> Result<String, Usage> {
     let coords: Vec<f64> = spec.coords.iter().flatten().copied().collect();
     // An array has one number at least.
     let or_zero = |list: Vec<String>, zero: &str| if list.is_empty() { vec![zero.to_owned()] } else { list };
-    let increment = if spec.increment.is_empty() { vec![0.0; spec.at.len()] } else { spec.increment.clone() };
+    let start: Vec<f64> = spec.increment.iter().zip(&spec.at).map(|(increment, at)| at - increment).collect();
+    let start = if start.is_empty() { vec![0.0; spec.at.len()] } else { start };
+    let [material, more] = match spec.routine {
+        Routine::Uelmat => ["        character(len=80) :: materiallib = 'MATERIAL'\n", ", materiallib"],
+        _ => ["", ""],
+    };
     let values = [
+        ("routine", routine.to_lowercase()),
         ("coords", listed(&or_zero(numbers(&coords), "0.0_dp"))),
         ("props", listed(&or_zero(numbers(&spec.props), "0.0_dp"))),
         ("jprops", listed(&or_zero(integers(&spec.jprops), "0"))),
         ("svars", listed(&or_zero(numbers(&spec.svars), "0.0_dp"))),
-        ("increment", listed(&numbers(&increment))),
+        ("start", listed(&numbers(&start))),
+        ("material", material.to_owned()),
+        ("more", more.to_owned()),
         ("tau", listed(&or_zero(numbers(&spec.tau), "0.0_dp"))),
         ("lflags", listed(&integers(&spec.lflags))),
         ("nnode", spec.coords.len().max(1).to_string()),
@@ -39,12 +51,9 @@ pub(super) fn text(spec: &Spec) -> Result<String, Usage> {
     ];
     let template =
         values.iter().fold(template.to_owned(), |text, (name, value)| text.replace(&format!("{{{name}}}"), value));
-    Ok(super::super::driver::abi::around(
-        routine,
-        &template,
-        [spec.at.len(), spec.outputs()],
-        "check --derivative FILE",
-    ))
+    let name = if spec.routine == Routine::Fric { "fric" } else { "uel" };
+    let sizes = [spec.at.len(), spec.outputs()];
+    Ok((name, around(routine, &template, sizes, "check --derivative FILE")))
 }
 
 /// Numbers of an array, a few in a line.

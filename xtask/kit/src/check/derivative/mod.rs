@@ -15,7 +15,7 @@ use crate::outcome::{Outcome, verdict};
 use compared::{Answered, Compared, Table};
 use judge::{Answer, Manners};
 use quotients::Slope;
-use spec::{Routine, Spec, Turning};
+use spec::{Spec, Turning};
 pub(super) use states::rotation;
 use states::{Line, State, line, states};
 use std::fmt::Write;
@@ -31,8 +31,8 @@ const SHOWN: usize = 6;
 /// A file that is not right, or that cannot be written.
 pub(super) fn write_driver(file: &Path, folder: &Path) -> Outcome {
     let spec = Spec::read(file)?;
-    let name = if spec.routine == Routine::Uel { "uel" } else { "fric" };
-    print(&abi::write_text(name, &driver::text(&spec)?, folder)?)?;
+    let (name, text) = driver::text(&spec)?;
+    print(&abi::write_text(name, &text, folder)?)?;
     Ok(verdict(true))
 }
 
@@ -239,8 +239,9 @@ fn report(spec: &Spec, found: &Found) -> Report {
         )
     };
     if off > 0 {
-        let cause = causes::cause(all, names, spec.by, spec.coords.first().map_or(1, Vec::len))
-            .unwrap_or_else(|| "none of the known mistakes explains it".into());
+        let cause = causes::cause(all, names, spec.by, spec.coords.first().map_or(1, Vec::len)).unwrap_or_else(|| {
+            format!("none of the known mistakes explains it; wrong are {matrix}{}", causes::place(all))
+        });
         let _ = writeln!(text, "    cause: {cause}");
         list(all, &wrong, spec.names(), &mut text);
     }

@@ -25,7 +25,7 @@ pub(super) struct Spec {
     /// SVARS, or STATEV, at the start of the increment.
     #[serde(default)]
     pub(super) svars: Vec<f64>,
-    /// DU; 0 if it is left out.
+    /// DU at the state; U if it is left out. The start of the increment does not change.
     #[serde(default)]
     pub(super) increment: Vec<f64>,
     /// TAU at the start of the increment.
@@ -52,6 +52,7 @@ pub(super) struct Spec {
 #[serde(rename_all = "lowercase")]
 pub(super) enum Routine {
     Uel,
+    Uelmat,
     Fric,
     Program,
 }
@@ -111,14 +112,16 @@ impl Spec {
             Routine::Program if self.outputs.is_none_or(|outputs| outputs == 0) => {
                 Some("`outputs` is needed: how many numbers the program answers before the derivatives".into())
             }
-            Routine::Uel if self.coords.is_empty() => {
+            Routine::Uel | Routine::Uelmat if self.coords.is_empty() => {
                 Some("`coords` is needed: a list of coordinates for each node".into())
             }
-            Routine::Uel if self.coords.iter().any(|node| node.len() != self.coords[0].len() || node.is_empty()) => {
+            Routine::Uel | Routine::Uelmat
+                if self.coords.iter().any(|node| node.len() != self.coords[0].len() || node.is_empty()) =>
+            {
                 Some("`coords` has nodes with different numbers of coordinates".into())
             }
-            Routine::Uel if self.lflags.len() != 5 => Some("`lflags` needs 5 numbers".into()),
-            Routine::Uel if !self.increment.is_empty() && self.increment.len() != n => {
+            Routine::Uel | Routine::Uelmat if self.lflags.len() != 5 => Some("`lflags` needs 5 numbers".into()),
+            Routine::Uel | Routine::Uelmat if !self.increment.is_empty() && self.increment.len() != n => {
                 Some(format!("`increment` needs {n} numbers, as `at`"))
             }
             Routine::Fric if n != 2 && n != 3 => {
@@ -132,7 +135,7 @@ impl Spec {
     /// The number of outputs.
     pub(super) fn outputs(&self) -> usize {
         match self.routine {
-            Routine::Uel => self.at.len(),
+            Routine::Uel | Routine::Uelmat => self.at.len(),
             Routine::Fric => self.at.len() - 1,
             Routine::Program => self.outputs.unwrap_or(1),
         }
@@ -156,7 +159,7 @@ impl Spec {
         let n = self.at.len();
         let size = |input: usize| match self.routine {
             _ if self.rotation(input).is_some() => 1.0,
-            Routine::Uel => or_one(self.extent()),
+            Routine::Uel | Routine::Uelmat => or_one(self.extent()),
             Routine::Fric if input + 1 == n => or_one(self.at[input].abs()),
             Routine::Fric => or_one(largest(&self.at[..n - 1])),
             Routine::Program if self.at[input] != 0.0 => self.at[input].abs(),
@@ -179,7 +182,7 @@ impl Spec {
     /// The names of what is differentiated, of the inputs, and of the matrix: an entry of the last is `matrix(i,j)`.
     pub(super) fn names(&self) -> [&'static str; 3] {
         match self.routine {
-            Routine::Uel => ["RHS", "U", "-AMATRX"],
+            Routine::Uel | Routine::Uelmat => ["RHS", "U", "-AMATRX"],
             Routine::Fric => ["TAU", "(DGAM,PRESS)", "(DDTDDG,DDTDDP)"],
             Routine::Program => ["f", "x", "J"],
         }

@@ -21,7 +21,7 @@ pub(super) fn states(spec: &Spec) -> Vec<State> {
         let x = spec.at.iter().zip(&sizes).map(|(x, size)| x + distance * size * random.next()).collect();
         states.push(State { name: format!("state {} around it", k + 1), x });
     }
-    if spec.routine == Routine::Uel && spec.at.iter().any(|&u| u != 0.0) {
+    if matches!(spec.routine, Routine::Uel | Routine::Uelmat) && spec.at.iter().any(|&u| u != 0.0) {
         states.push(State { name: "U = 0".into(), x: vec![0.0; spec.at.len()] });
     }
     states

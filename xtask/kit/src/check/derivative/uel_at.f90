@@ -1,5 +1,5 @@
 ! It is called with the coordinates, properties and states of the file; the numbers asked for are U. LFLAGS(3) is 1, then 2 for
-! AMATRX alone and 5 for RHS alone: all must agree. PNEWDT < 1 refuses a state.
+! AMATRX alone and 5 for RHS alone: all must agree. DU is U less what it was at the start of the increment. PNEWDT < 1 refuses a state.
 ---
 module driver_call
     use driver_checks
@@ -43,10 +43,11 @@ contains
         real(dp), parameter :: coords(max(1, mcrd * nnode)) = {coords}
         real(dp), parameter :: props(max(1, nprops)) = {props}
         real(dp), parameter :: svars(max(1, nsvars)) = {svars}
+        real(dp), parameter :: start(ndofel) = {start}
         integer, parameter :: jprops(max(1, njprop)) = {jprops}
         integer :: jdltyp(mdload, nrhs), lflags(5), whole_properties(max(1, njprop))
-        external :: uel
-        a_rhs = guard
+        external :: {routine}
+{material}        a_rhs = guard
         a_rhs(1:mlvarx) = 0
         a_amatrx = guard
         a_amatrx(1:ndofel**2) = 0
@@ -58,7 +59,7 @@ contains
         a_u(1:ndofel) = x
         a_props = guard
         a_props(1:nprops) = props(1:nprops)
-        du(:, 1) = {increment}
+        du(:, 1) = x - start
         energy = 0
         v = 0
         a = 0
@@ -74,9 +75,9 @@ contains
         whole_properties = jprops
         period = 1
         call clear_stack()
-        call uel(a_rhs(1), a_amatrx(1), a_svars(1), energy, ndofel, nrhs, nsvars, a_props(1), nprops, a_coords(1), mcrd, &
+        call {routine}(a_rhs(1), a_amatrx(1), a_svars(1), energy, ndofel, nrhs, nsvars, a_props(1), nprops, a_coords(1), mcrd, &
             nnode, a_u(1), du, v, a, {jtype}, time, dtime, 1, 1, 1, params, 0, jdltyp, adlmag, predef, npredf, lflags, mlvarx, &
-            ddlmag, mdload, pnewdt, whole_properties, njprop, period)
+            ddlmag, mdload, pnewdt, whole_properties, njprop, period{more})
         call look_around('RHS', a_rhs, mlvarx)
         call look_around('AMATRX', a_amatrx, ndofel**2)
         call look_around('SVARS', a_svars, nsvars)

@@ -83,7 +83,10 @@ const EXPONENTIAL: Places =
     &[("props", "the clearance at which the pressure is 0, and the pressure at touch"), ("nprops", "2")];
 const PRESSURE: Places = &[
     ("ndir", "2"),
-    ("history", "! There are two increments, the second of which, in a second step, ends at the overclosure in question."),
+    (
+        "history",
+        "! There are two increments, the second of which, in a second step, ends at the overclosure in question.",
+    ),
     ("problem", include_str!("abi/uinter_pressure.f90")),
     ("open", "! What a pressure is while surfaces are apart, its law says."),
 ];
