@@ -229,6 +229,9 @@ fn points(element: &dyn AnyElement, mapping: &Mapping) -> Vec<Point> {
             if beside > 0 {
                 (0..inputs.len()).filter(|&k| is_position(k)).for_each(|k| inputs[k] *= 1.0 + 0.25 * random.next());
             }
+            if inputs.iter().any(|x| *x != 0.0 && !(1e-100..1e100).contains(&x.abs())) {
+                continue;
+            }
             let Ok(results) = element.value(&inputs, rubs) else { continue };
             let rounded = [(); 3].map(|()| {
                 let moved =
@@ -325,7 +328,7 @@ fn wrapped(line: &str) -> String {
     for word in line.split_whitespace().skip(1) {
         let last = lines.len() - 1;
         if lines[last].len() + word.len() < WIDTH {
-            lines[last] += &format!(" {word}");
+            lines[last].extend([" ", word]);
         } else {
             lines.push(format!("! {word}"));
         }

@@ -37,6 +37,9 @@ fn is_square(all: &[Compared]) -> bool {
     all.iter().all(|one| one.found().rows() == one.found().columns)
 }
 
+/// An entry of a matrix, by that of the right one.
+type Form = fn(&Table, usize, usize) -> f64;
+
 /// Mistakes of the whole matrix.
 fn whole(all: &[Compared], [value, input, name]: [&str; 3]) -> Option<String> {
     let matrix = name.trim_start_matches('-');
@@ -53,11 +56,11 @@ fn whole(all: &[Compared], [value, input, name]: [&str; 3]) -> Option<String> {
     if !is_square(all) {
         return None;
     }
-    let forms: [(&str, fn(&Table, usize, usize) -> f64); 9] = [
+    let forms: [(&str, Form); 9] = [
         ("is transposed: its rows are columns", |d, r, c| d.at(c, r)),
         ("is transposed, and its sign turned", |d, r, c| -d.at(c, r)),
         ("is symmetrised: half of the sum of the derivative and its transpose", |d, r, c| {
-            (d.at(r, c) + d.at(c, r)) / 2.0
+            f64::midpoint(d.at(r, c), d.at(c, r))
         }),
         ("has its upper triangle in the lower one, too: the derivative is not symmetric", |d, r, c| {
             d.at(r.min(c), r.max(c))

@@ -87,7 +87,7 @@ impl Compared {
         };
         let (exact, errors) = (found.like(|r, c| taken(r, c).value), found.like(|r, c| taken(r, c).error));
         let otherwise = otherwise.map(|slopes| found.like(|row, column| slopes[column][row].central.value));
-        Self { exact, errors, otherwise, units, kinks, at }
+        Self { at, exact, errors, otherwise, units, kinks }
     }
 
     /// The matrix of the routine.

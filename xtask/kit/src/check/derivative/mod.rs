@@ -45,7 +45,7 @@ pub(super) fn run(file: &Path, program: &[String], limit: Duration) -> Outcome {
     let asked = Asked::new(&spec);
     let numbers = spec.outputs() * (spec.at.len() + 1);
     let peer = Peer { command: program, limit, head: None, numbers, digits: Digits::Decimal };
-    let head = |mark: &str| format!("{mark} {} by {}", bold(&file.display().to_string()), program.join(" "));
+    let head = |mark: &str| format!("{mark} {} by {}", bold(file.display().to_string()), program.join(" "));
     let replies = match peer.ask(&asked.lines())? {
         Ok(Replies { replies, .. }) => replies,
         Err(why) => {

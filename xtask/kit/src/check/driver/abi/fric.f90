@@ -32,8 +32,8 @@ contains
         is_rigid = lm == 1
         call begin()
         high = 0
-        if (x(nfdir + 1) > 0 .and. most > 1e-280_dp .and. most < 1e280_dp) high = 8 * (most / x(nfdir + 1))
-        has_past = high > 0 .and. high < 1e300_dp .and. x(nfdir + 1) * high > 4 * most
+        if (x(nfdir + 1) > 0 .and. most > 0 .and. is_ordinary) high = 8 * (most / x(nfdir + 1))
+        has_past = high > 0 .and. high < 1e150_dp .and. x(nfdir + 1) * high > 4 * most
         if (has_past) then
             call increment(-2 * trial / stiffness, high / 32)
             do k = 1, nfdir

@@ -11,8 +11,8 @@ subroutine ask()
     props = [of_pressure, stiffness, x(outputs + 1)]
     call begin()
     high = 0
-    if (x(outputs + 1) > 0 .and. most > 1e-280_dp .and. most < 1e280_dp) high = 8 * (most / x(outputs + 1))
-    if (high > 0 .and. high < 1e300_dp * min(1.0_dp, of_pressure) .and. x(outputs + 1) * high > 4 * most) then
+    if (x(outputs + 1) > 0 .and. most > 0 .and. is_ordinary) high = 8 * (most / x(outputs + 1))
+    if (high > 0 .and. high < 1e150_dp .and. x(outputs + 1) * high > 4 * most) then
         call increment(high / 32 / of_pressure, -2 * trial / stiffness)
         do k = 1, outputs
             start(k) = started(trial(k), most, 10 + k)
