@@ -32,8 +32,10 @@ use std::time::Duration;
   {command} check --formula {formula} --driver fortran > mine.f90   to begin with
   {command} check --formula {formula} --json -- node mine.js        JSON lines
   {command} check --formula {formula} --format github --at mine.f90:40 -- ./mine
-  {command} check --derivative element.toml --out around             a driver for any UEL or FRIC
-  {command} check --derivative element.toml -- ./a.out               its AMATRX against the derivative of its RHS
+  {command} check --derivative element.toml --out around    any UEL or FRIC
+  {command} check --derivative element.toml -- ./a.out      AMATRX against RHS
+  {command} check --element translator --abi uel --out around
+  {command} check --element translator -- ./a.out
   {command} check --formula {formula} --point '{point}' -- ./mine")]
 #[expect(clippy::struct_excessive_bools, reason = "each is a switch of the command line")]
 pub(crate) struct Arguments {
