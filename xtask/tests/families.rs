@@ -33,6 +33,13 @@ struct Member {
     is_fixed_form: bool,
 }
 
+impl Member {
+    /// A member with these statements, behind these declarations.
+    fn new(name: String, declarations: &str, body: &str) -> Self {
+        Self { name, text: format!("{declarations}    ! begin\n{body}"), is_fixed_form: false }
+    }
+}
+
 const REAL: &str = "0.0_dp";
 
 const FAMILIES: &[Family] = &[
@@ -137,11 +144,6 @@ impl Family {
         rest.split_once("    ! end\n").unwrap().0
     }
 
-    /// A member with these statements, behind these declarations.
-    fn member(&self, name: String, declarations: &str, body: &str) -> Member {
-        Member { name, text: format!("{declarations}    ! begin\n{body}"), is_fixed_form: false }
-    }
-
     /// A member that is the right routine with texts replaced.
     fn replaced(&self, name: &str, texts: &[(&str, &str)]) -> Member {
         let text = texts.iter().fold(format!("    ! begin\n{}", self.body()), |text, (from, to)| {
@@ -159,9 +161,9 @@ impl Family {
         for (k, member) in members.iter().enumerate() {
             let name = format!("{}_{k}", self.routine);
             if member.is_fixed_form {
-                fixed += &member.text.replace("@", &name.to_uppercase());
+                fixed += &member.text.replace('@', &name.to_uppercase());
             } else {
-                let text = member.text.replace("@", &name);
+                let text = member.text.replace('@', &name);
                 let _ = write!(free, "{}{text}end subroutine\n\n", self.head(&name).trim_end_matches(' '));
             }
             let _ = writeln!(calls, "    case ({k})\n        call {name}({})", self.arguments());

@@ -12,13 +12,11 @@ pub(super) fn mutants(family: &Family) -> Vec<Member> {
             if family.same.iter().any(|(same, text)| *same == rule && line.trim() == *text) {
                 continue;
             }
-            let body: String = lines
-                .iter()
-                .enumerate()
-                .map(|(at, line)| format!("{}\n", if at == k { &changed } else { *line }))
-                .collect();
+            let changed: Vec<_> =
+                lines.iter().enumerate().map(|(at, line)| if at == k { changed.as_str() } else { *line }).collect();
+            let body = changed.join("\n") + "\n";
             let declared = if rule == LAST { "    real(dp), save :: last = 1\n    real(dp) :: now\n" } else { "" };
-            members.push(family.member(format!("{rule}, line {place}"), declared, &body));
+            members.push(Member::new(format!("{rule}, line {place}"), declared, &body));
         }
     }
     members
