@@ -25,6 +25,7 @@ pub(crate) enum Abi {
     /// A multi-point constraint of Abaqus, in degree of freedom mode: MPC
     Mpc,
     /// A multi-point constraint of Abaqus, in nodal mode: MPC
+    #[value(aliases = ["mpc_node", "mpc-nodal", "mpc_nodal"])]
     MpcNode,
     /// An interaction of surfaces of Abaqus, pressure and friction: UINTER
     Uinter,
