@@ -28,6 +28,7 @@ const FRIC: Routine<'static> = Routine {
      1 DSLIP(NFDIR),DDTDDT(NFDIR,2),STATEV(*),DGAM(NFDIR),TAULM(NFDIR),
      2 SLIP(NFDIR),TIME(2),COORDS(MCRD),RCOORD(MCRD),DROT(2,2),TEMP(2),
      3 PREDEF(2,*),CHRLNGTH(2),PROPS(NPROPS)
+      LM = 0
       TRIAL = TAU(1) + PROPS(2)*DGAM(1)
       CRIT = PROPS(1)*PRESS
       IF (ABS(TRIAL) .LT. CRIT) THEN
@@ -97,6 +98,7 @@ subroutine mpc(ue, a, jdof, mdof, n, jtype, x, u, uinit, maxdof, lmpc, kstep, ki
     x1 = x(1:3, 3) + u(1:3, 3)
     xn = x(1:3, 6) + u(1:3, 6)
     d = abs(xn - x1)
+    d = scale(d, -exponent(maxval(d)))
     p = merge(3, 2, d(3) >= d(2))
     q = 5 - p
     axes = [q, p, 1]
@@ -110,39 +112,12 @@ subroutine mpc(ue, a, jdof, mdof, n, jtype, x, u, uinit, maxdof, lmpc, kstep, ki
 end subroutine mpc
 " };
 
-/// The same constraint by distances, each of which is a routine.
+/// The same constraint by its distances, as CalculiX calls it: the last term has the number of the equation.
 const UMPC: Routine<'static> = Routine {
     abi: "umpc_user",
     file: "routine.f90",
     uses: &["slider.constraint"],
-    text: "
-subroutine umpc_user(x, u, f, a, jdof, n, force, iit, idiscon)
-    implicit none
-    integer :: n, jdof(n), iit, idiscon
-    double precision :: x(3, n), u(3, n), f, a(n), force
-    call distance(1, x + u, f, a)
-end subroutine umpc_user
-
-subroutine umpc_user_2(x, u, f, a, jdof, n, force, iit, idiscon)
-    implicit none
-    integer :: n, jdof(n), iit, idiscon
-    double precision :: x(3, n), u(3, n), f, a(n), force
-    call distance(2, x + u, f, a)
-    ! The first degree of freedom is the one that is eliminated.
-    jdof(1:3) = [3, 2, 1]
-    a(1:3) = a(3:1:-1)
-end subroutine umpc_user_2
-
-subroutine distance(which, x, f, a)
-    use jp_slider_constraint, only: jp_slider_constraint_jacobian
-    implicit none
-    integer :: which
-    double precision :: x(3, 9), f, a(9), g(2), jacobian(9, 2)
-    if (jp_slider_constraint_jacobian(x(:, 4), x(:, 7), x(:, 1), g(1), g(2), jacobian) /= 0) stop 1
-    f = g(which)
-    a = [jacobian(7:9, which), jacobian(1:6, which)]
-end subroutine distance
-",
+    text: include_str!("families/umpc_user.f90"),
 };
 
 /// The same constraint as an element with two multipliers.
@@ -258,8 +233,12 @@ fn constraints_are_checked_by_what_they_eliminate_and_by_their_distance() {
     let said = checked(&MPC, "slider.eliminate", ["a = [1.0_dp", "a = [-1.0_dp"], 1);
     assert!(said.contains("diagnosis: the sign is turned of the whole Jacobian"), "{said}");
     checked(&UMPC, "slider.constraint", AS_IT_IS, 0);
-    let said = checked(&UMPC, "slider.constraint", ["a(1:3) = a(3:1:-1)", ""], 1);
-    assert!(said.contains("diagnosis: an index is wrong: ∂g2/∂xm[0] holds ∂g2/∂xm[2]"), "{said}");
+    let said = checked(&UMPC, "slider.constraint", ["jdof(k) = 1", "jdof(k) = k"], 1);
+    assert!(said.contains("wrong"), "{said}");
+    let said = checked(&UMPC, "slider.constraint", ["k = maxloc(abs(row(1:3)), 1)", "k = 1"], 1);
+    assert!(said.contains("A(1) is 0, and the first term is eliminated"), "{said}");
+    let said = checked(&UMPC, "slider.constraint", ["jdof(1:9) = [1, 2, 3, 1, 2, 3, 1, 2, 3]", ""], 1);
+    assert!(said.contains("is still 0: CalculiX passes in (1, 0, 0, ...)"), "{said}");
 }
 
 #[test]
@@ -280,7 +259,7 @@ fn every_driver_compiles_without_a_warning() {
         return;
     }
     let bench = Bench::new();
-    for abi in ["fric", "mpc", "uinter", "uel", "umpc_user"] {
+    for abi in ["fric", "mpc", "mpc-node", "uinter", "uel", "umpc_user"] {
         let other =
             bench.run(&["check", "--formula", "join.rows", "--abi", abi]).bad_usage("does not compute join.rows");
         let ids: Vec<_> = other.stderr.lines().skip(1).map(str::trim).collect();

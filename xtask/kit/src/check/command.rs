@@ -3,6 +3,7 @@
 use super::driver::abi::Abi;
 use super::driver::{self, Driver, Lang};
 use super::listen::{Manner, listen};
+use super::{derivative, element};
 use crate::console::print;
 use crate::outcome::{Outcome, Usage, verdict};
 use crate::project::Project;
@@ -12,6 +13,7 @@ use jointproof::catalog::AnyFormula;
 use jointproof::toolkit::verify::Options;
 use jointproof::toolkit::verify::golden::components;
 use judge::{Bounds, Court, Question, Wanted, of_points, questions};
+use std::path::PathBuf;
 use std::time::Duration;
 
 /// Check a program of your own, in any language, against a formula
@@ -30,14 +32,31 @@ use std::time::Duration;
   {command} check --formula {formula} --driver fortran > mine.f90   to begin with
   {command} check --formula {formula} --json -- node mine.js        JSON lines
   {command} check --formula {formula} --format github --at mine.f90:40 -- ./mine
+  {command} check --derivative element.toml --out around    any UEL or FRIC
+  {command} check --derivative element.toml -- ./a.out      AMATRX against RHS
+  {command} check --element translator --abi uel --out around
+  {command} check --element translator -- ./a.out
   {command} check --formula {formula} --point '{point}' -- ./mine")]
 #[expect(clippy::struct_excessive_bools, reason = "each is a switch of the command line")]
 pub(crate) struct Arguments {
     /// The formula, by its identifier
-    #[arg(long, value_name = "ID")]
+    #[arg(
+        long,
+        value_name = "ID",
+        required_unless_present_any = ["derivative", "element"],
+        default_value = "",
+        hide_default_value = true
+    )]
     formula: String,
+    /// Check the matrix of any routine against the derivative of its own value, without a formula; the file says how it is
+    /// called and at which state
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["formula", "element", "driver", "abi"])]
+    derivative: Option<PathBuf>,
+    /// Check a UEL against this element, by its identifier: its forces, conditions, stiffness and states
+    #[arg(long, value_name = "ID", conflicts_with_all = ["formula", "driver"])]
+    element: Option<String>,
     /// The program and its arguments, after `--`
-    #[arg(last = true, value_name = "PROGRAM", required_unless_present_any = ["driver", "abi"])]
+    #[arg(last = true, value_name = "PROGRAM", required_unless_present_any = ["driver", "abi", "out"])]
     program: Vec<String>,
     /// Print a program in this language to start from; only the call of your own code is missing
     #[arg(long, value_enum, value_name = "LANGUAGE", conflicts_with = "program")]
@@ -45,6 +64,9 @@ pub(crate) struct Arguments {
     /// Print a Fortran program that calls a routine with this interface
     #[arg(long, value_enum, value_name = "INTERFACE", conflicts_with_all = ["program", "driver"])]
     abi: Option<Abi>,
+    /// Write that program to a folder, with ABA_PARAM.INC and with XIT and other utility routines to be linked
+    #[arg(long, value_name = "FOLDER", conflicts_with = "program")]
+    out: Option<PathBuf>,
     /// In a driver, call the exported formula, as an example that passes
     #[arg(long, requires = "driver")]
     exported: bool,
@@ -126,17 +148,36 @@ impl Arguments {
 }
 
 pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
+    let limit = Duration::try_from_secs_f64(arguments.limit).ok().filter(|limit| !limit.is_zero());
+    let limit = limit.ok_or_else(|| Usage("--limit is not a time above 0 in seconds".into()))?;
+    if let Some(id) = &arguments.element {
+        return match arguments.abi {
+            Some(Abi::Uel) => element::driver(project, id, arguments.out.as_deref()),
+            Some(_) => Err(Usage("--element: elements are routines UEL: --abi uel".into()).into()),
+            None => element::run(project, id, &arguments.program, limit),
+        };
+    }
+    if let Some(file) = &arguments.derivative {
+        return match &arguments.out {
+            Some(folder) => derivative::write_driver(file, folder),
+            None => derivative::run(file, &arguments.program, limit),
+        };
+    }
+    if arguments.out.is_some() && arguments.abi.is_none() {
+        return Err(Usage("--out is for a driver: with --abi, or with --derivative FILE".into()).into());
+    }
     let formula = project.named("--formula", &arguments.formula)?;
     if let Some(lang) = arguments.driver {
         print(&driver(formula, arguments, lang)?)?;
         return Ok(verdict(true));
     }
     if let Some(abi) = arguments.abi {
-        print(&driver::abi::text(abi, formula)?)?;
+        print(&match &arguments.out {
+            Some(folder) => driver::abi::write(abi, formula, folder)?,
+            None => driver::abi::text(abi, formula)?,
+        })?;
         return Ok(verdict(true));
     }
-    let limit = Duration::try_from_secs_f64(arguments.limit).ok().filter(|limit| !limit.is_zero());
-    let limit = limit.ok_or_else(|| Usage("--limit is not a time above 0 in seconds".into()))?;
     let mut questions = asked(formula, arguments)?;
     if arguments.valid_only {
         questions.retain(|question| !question.must_be_refused());

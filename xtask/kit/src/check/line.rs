@@ -39,6 +39,9 @@ pub(super) fn read(line: &str, expected: usize, digits: Digits, manners: &mut Ma
     if let Some(name) = refusal(line) {
         return Answer::Refused(name);
     }
+    if let Some(what) = fault(line) {
+        return Answer::Bad(what.to_owned());
+    }
     let mut seen = Manners::new();
     let mut numbers = Vec::new();
     for token in tokens(line) {
@@ -69,11 +72,21 @@ fn plain(line: &str) -> Option<Vec<Option<f64>>> {
 
 /// Whether a line is a rejection, and the input it names.
 #[expect(clippy::option_option, reason = "no refusal, and one that names nothing")]
-pub(super) fn refusal(line: &str) -> Option<Option<String>> {
+fn refusal(line: &str) -> Option<Option<String>> {
     let mut words = line.split_whitespace();
     let first = words.next()?.to_ascii_lowercase();
     let name = || Some(words.next().map(str::to_owned));
     matches!(first.as_str(), "refuse" | "refused" | "refuses").then(name).flatten()
+}
+
+/// The mistake that a driver has found in how a routine uses its interface.
+fn fault(line: &str) -> Option<&str> {
+    line.trim_start().strip_prefix("fault ").map(str::trim)
+}
+
+/// Whether a line is an answer without numbers.
+pub(super) fn is_without_numbers(line: &str) -> bool {
+    refusal(line).is_some() || fault(line).is_some()
 }
 
 /// The tokens of a line, whatever separates them.
@@ -186,6 +199,7 @@ mod tests {
         assert_eq!(bad("1 ********"), "`********` is no number");
         assert_eq!(bad("1,5,2 3"), "`1,5,2` is no number");
         assert_eq!(bad("f = 1"), "`f` is no number");
+        assert_eq!(bad(" fault DSLIP is not the slip "), "DSLIP is not the slip");
         let long = "x".repeat(31);
         assert_eq!(bad(&format!("{} 1", &long[..30])), format!("`{}` is no number", &long[..30]));
         assert_eq!(bad(&format!("{long} 1")), format!("`{}…` is no number", &long[..30]));

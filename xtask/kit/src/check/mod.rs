@@ -2,7 +2,9 @@
 //! called directly.
 
 mod command;
+mod derivative;
 mod driver;
+mod element;
 mod json;
 mod line;
 mod listen;

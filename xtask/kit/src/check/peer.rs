@@ -144,7 +144,7 @@ impl Peer<'_> {
         let is_answer = |line: &&String| {
             let mut tokens = line::tokens(line).peekable();
             let has_any = tokens.peek().is_some();
-            line::refusal(line).is_some() || has_any && tokens.all(|token| line::is_number(token, self.digits))
+            line::is_without_numbers(line) || has_any && tokens.all(|token| line::is_number(token, self.digits))
         };
         let banner = lines.iter().take_while(|line| !is_answer(line)).count();
         let answers: Vec<_> = lines[banner..].iter().filter(is_answer).collect();
@@ -220,7 +220,7 @@ impl Peer<'_> {
     fn answer(&self, process: &Process, layout: Layout, limit: Duration) -> Next {
         let first = process.line(limit);
         let Next::Line(mut answer) = first else { return first };
-        while layout.wraps && line::refusal(&answer).is_none() && line::tokens(&answer).count() < self.numbers {
+        while layout.wraps && !line::is_without_numbers(&answer) && line::tokens(&answer).count() < self.numbers {
             match process.line(self.limit) {
                 Next::Line(line) => answer = format!("{answer} {line}"),
                 other => return other,

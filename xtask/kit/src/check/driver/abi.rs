@@ -3,12 +3,19 @@
 //! Every driver is one program, `answer.f90`, that contains the call of the interface: a template consists of notes
 //! for its head, a line `---`, and a subroutine that computes values and derivatives at a point.
 
+use crate::files;
 use crate::outcome::Usage;
 use jointproof::catalog::AnyFormula;
 use jointproof::connector::slider;
 use jointproof::contact::{coulomb, interaction};
 use jointproof::formula::Formula;
 use judge::sizes;
+use std::path::Path;
+
+/// Utility routines of Abaqus.
+const STUBS: &str = include_str!("abi/stubs.f90");
+/// What every routine of Abaqus includes.
+const ABA_PARAM: &str = include_str!("abi/ABA_PARAM.INC");
 
 /// An interface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
@@ -17,6 +24,9 @@ pub(crate) enum Abi {
     Fric,
     /// A multi-point constraint of Abaqus, in degree of freedom mode: MPC
     Mpc,
+    /// A multi-point constraint of Abaqus, in nodal mode: MPC
+    #[value(aliases = ["mpc_node", "mpc-nodal", "mpc_nodal"])]
+    MpcNode,
     /// An interaction of surfaces of Abaqus, pressure and friction: UINTER
     Uinter,
     /// An element of Abaqus, with multipliers: UEL
@@ -37,12 +47,33 @@ struct Interface {
     computes: &'static [(&'static str, &'static [Places])],
 }
 
-const PLANE: Places = &[("dim", "2"), ("_2d", "_2d"), ("multipliers", "the multiplier")];
-const SPACE: Places = &[("dim", "3"), ("_2d", ""), ("multipliers", "both multipliers")];
+const PLANE: Places = &[
+    ("dim", "2"),
+    ("_2d", "_2d"),
+    ("multipliers", "the multiplier"),
+    ("axes", "d = abs(x(3:4) - x(1:2))\nin_order = merge([2, 1], [1, 2], d(1) >= d(2))"),
+    ("inverted", "determinant = a(1, 1, 1)\nfound(rows(1), :) = right(1, :) / determinant"),
+];
+const SPACE: Places = &[
+    ("dim", "3"),
+    ("_2d", ""),
+    ("multipliers", "both multipliers"),
+    (
+        "axes",
+        "integer :: p, q\nd = abs(x(4:6) - x(1:3))\nd = scale(d, -exponent(maxval(d)))\np = merge(3, 2, d(3) >= d(2))\nq = 5 - p\nin_order = [q, p, 1]\n\
+         if (d(p) > 0 .and. d(p)**2 + d(q)**2 >= d(p) * d(1)) in_order = [q, 1, p]",
+    ),
+    (
+        "inverted",
+        "determinant = a(1, 1, 1) * a(2, 2, 1) - a(1, 2, 1) * a(2, 1, 1)\n\
+         found(rows(1), :) = (a(2, 2, 1) * right(1, :) - a(1, 2, 1) * right(2, :)) / determinant\n\
+         found(rows(2), :) = (a(1, 1, 1) * right(2, :) - a(2, 1, 1) * right(1, :)) / determinant",
+    ),
+];
 
 /// The quantities computed by an element.
 const FORCES: Places = &[("multiplier", "x(moving + 1:)"), ("rows", "1:moving")];
-const DISTANCES: Places = &[("multiplier", "1"), ("rows", "moving + 1:ndofel")];
+const DISTANCES: Places = &[("multiplier", "0.75_dp * most"), ("rows", "moving + 1:ndofel")];
 
 /// The properties of an interaction, and the quantities it computes.
 const LINEAR: Places = &[
@@ -51,32 +82,36 @@ const LINEAR: Places = &[
 ];
 const EXPONENTIAL: Places =
     &[("props", "the clearance at which the pressure is 0, and the pressure at touch"), ("nprops", "2")];
-const PRESSURE: Places =
-    &[("ndir", "2"), ("get", "y(1) = stress(1)\njacobian(1, 1) = ddsddr(1, 1)\nis_known(1, 2:) = .false.")];
+const PRESSURE: Places = &[
+    ("ndir", "2"),
+    (
+        "history",
+        "! There are two increments, the second of which, in a second step, ends at the overclosure in question.",
+    ),
+    ("problem", include_str!("abi/uinter_pressure.f90")),
+    ("open", "! What a pressure is while surfaces are apart, its law says."),
+];
 const FRICTION: Places = &[
     ("ndir", "outputs + 1"),
-    ("set", "rdisp = [x(inputs), x(1:outputs)]\nprops = [1.0_dp, 1.0_dp, x(outputs + 1)]"),
     (
-        "get",
-        "y = stress(2:)\njacobian(:, 1:outputs) = ddsddr(2:, 2:)\nis_known(:, outputs + 1) = .false.\n\
-         jacobian(:, inputs) = ddsddr(2:, 1)\n! Where surfaces only touch, the pressure has a kink of its own.\n\
-         is_known(:, inputs) = x(inputs) > 0",
+        "history",
+        "! Both stiffnesses differ from point to point. There are three increments: it slips, then sticks, then, in a second step,\n\
+         ! goes to the trial traction STRESS + PROPS(2) DRDISP.",
     ),
+    ("problem", include_str!("abi/uinter_friction.f90")),
+    ("open", "if (any(abs(stress) > 0)) call fail('STRESS is not 0 while the surfaces are apart')"),
 ];
 
-/// The equations of a line, each of which is a routine.
-const ONE_EQUATION: Places = &[
-    ("second", ""),
-    ("externals", "umpc_user"),
-    ("calls", "call umpc_user(x0, u, f, a, jdof, n, force, iit, idiscon)"),
-];
+/// The equations of a line.
+const ONE_EQUATION: Places =
+    &[("more", ""), ("nodes", "The nodes of the terms are m, node 1 and\n! node n, twice each.")];
 const TWO_EQUATIONS: Places = &[
-    ("second", " The second of both equations is that of a routine umpc_user_2."),
-    ("externals", "umpc_user, umpc_user_2"),
+    ("more", " + 1"),
     (
-        "calls",
-        "if (equation == 1) call umpc_user(x0, u, f, a, jdof, n, force, iit, idiscon)\n\
-         if (equation == 2) call umpc_user_2(x0, u, f, a, jdof, n, force, iit, idiscon)",
+        "nodes",
+        "The nodes of the terms of the\n! first equation are m, node 1 and node n, three times each, and those of the second node 1, node n and m: CalculiX refuses\n\
+         ! two of them with the same first node. There is one more term, whose node has the number of the equation, 1 or 2, as its\n\
+         ! first coordinate X(1, N); its coefficient is 0.",
     ),
 ];
 
@@ -93,6 +128,11 @@ impl Abi {
                 template: include_str!("abi/mpc.f90"),
                 computes: &[(slider::Eliminate::SPEC.id, &[SPACE]), (slider::Eliminate2d::SPEC.id, &[PLANE])],
             },
+            Self::MpcNode => Interface {
+                routine: "MPC",
+                template: include_str!("abi/mpc_node.f90"),
+                computes: &[(slider::Eliminate::SPEC.id, &[SPACE]), (slider::Eliminate2d::SPEC.id, &[PLANE])],
+            },
             Self::Uinter => Interface {
                 routine: "UINTER",
                 template: include_str!("abi/uinter.f90"),
@@ -101,12 +141,9 @@ impl Abi {
                     (coulomb::ReturnMap2d::SPEC.id, &[LINEAR, FRICTION]),
                     (
                         interaction::PressureLinear::SPEC.id,
-                        &[LINEAR, PRESSURE, &[("set", "rdisp = [x(1), 0.0_dp]\nprops = [x(2), 1.0_dp, 0.5_dp]")]],
+                        &[LINEAR, PRESSURE, &[("set", "props = [x(2), 4.0_dp, 0.375_dp]")]],
                     ),
-                    (
-                        interaction::PressureExponential::SPEC.id,
-                        &[EXPONENTIAL, PRESSURE, &[("set", "rdisp = [x(1), 0.0_dp]\nprops = x(2:)")]],
-                    ),
+                    (interaction::PressureExponential::SPEC.id, &[EXPONENTIAL, PRESSURE, &[("set", "props = x(2:)")]]),
                 ],
             },
             Self::Uel => Interface {
@@ -142,13 +179,48 @@ pub(crate) fn text(abi: Abi, formula: &dyn AnyFormula) -> Result<String, Usage> 
         let ids: Vec<_> = computes.iter().map(|(id, _)| *id).collect();
         return Err(Usage(format!("--abi: a routine {routine} does not compute {id}, but\n  {}", ids.join("\n  "))));
     };
-    let (notes, ask) = template.split_once("\n---\n").expect("a template has notes and a subroutine");
-    let [inputs, outputs] = sizes(formula).map(|size| size.to_string());
+    let asked = format!("check --formula {id} --valid-only");
+    let text = around(routine, template, sizes(formula), &asked).replace("{id}", id);
+    Ok(places.iter().copied().flatten().fold(text, |text, (name, what)| filled(&text, name, what)))
+}
+
+/// The program around a call: a template has notes for its head, a line `---`, and the module with the call.
+pub(in crate::check) fn around(routine: &str, template: &str, [inputs, outputs]: [usize; 2], asked: &str) -> String {
+    let (notes, ask) = template.split_once("\n---\n").expect("a template has notes and a module");
     let file = routine.to_lowercase() + ".f";
-    let own = [("notes", notes), ("ask", ask), ("id", id), ("routine", routine), ("file", &file)];
-    let sizes = [("inputs", inputs.as_str()), ("outputs", outputs.as_str())];
-    let filled_in = own.iter().chain(&sizes).chain(places.iter().copied().flatten());
-    Ok(filled_in.fold(include_str!("abi/answer.f90").to_owned(), |text, (name, what)| filled(&text, name, what)))
+    let (inputs, outputs) = (inputs.to_string(), outputs.to_string());
+    let filled_in = [
+        ("notes", notes),
+        ("ask", ask),
+        ("asked", asked),
+        ("routine", routine),
+        ("file", &file),
+        ("inputs", &inputs),
+        ("outputs", &outputs),
+    ];
+    filled_in.iter().fold(include_str!("abi/answer.f90").to_owned(), |text, (name, what)| filled(&text, name, what))
+}
+
+/// Writes the driver of an interface to a folder, and beside it what routines of Abaqus include and call.
+///
+/// # Errors
+/// If routines with this interface do not compute the formula, or a file cannot be written.
+pub(crate) fn write(abi: Abi, formula: &dyn AnyFormula, folder: &Path) -> anyhow::Result<String> {
+    write_text(&abi.interface().routine.to_lowercase(), &text(abi, formula)?, folder)
+}
+
+/// Writes a driver to a folder, and beside it what routines of Abaqus include and call.
+///
+/// # Errors
+/// If a file cannot be written.
+pub(in crate::check) fn write_text(routine: &str, text: &str, folder: &Path) -> anyhow::Result<String> {
+    let driver = format!("{routine}_driver.f90");
+    let all = [(driver.as_str(), text), ("jp_stubs.f90", STUBS), ("ABA_PARAM.INC", ABA_PARAM)];
+    for (name, text) in all {
+        files::write(&folder.join(name), text)?;
+    }
+    let names: Vec<_> = all.iter().map(|(name, _)| folder.join(name).display().to_string()).collect();
+    Ok(names.join("\n") + "\n")
 }
 
 /// A template with `{name}` replaced by a text, whose lines are indented like the first.

@@ -24,6 +24,7 @@ subroutine mpc(ue, a, jdof, mdof, n, jtype, x, u, uinit, maxdof, lmpc, kstep, ki
     xn = x(1:3, 6) + u(1:3, 6)
     ! The axes as slider.eliminate chooses them.
     d = abs(xn - x1)
+    d = scale(d, -exponent(maxval(d)))
     more = merge(3, 2, d(3) >= d(2))
     less = 5 - more
     axes = [less, more, 1]

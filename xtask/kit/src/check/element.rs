@@ -1,0 +1,410 @@
+//! `check --element`: a UEL against an element of the catalog, at its golden cases and at points beside them.
+
+use super::derivative::rotation;
+use super::driver::abi;
+use super::line::{self, Digits};
+use super::peer::{Peer, Replies, Reply};
+use crate::console::{bold, count, green, print, red};
+use crate::outcome::{Outcome, Usage, verdict};
+use crate::project::Project;
+use jointproof::catalog::AnyElement;
+use jointproof::formula::Field;
+use jointproof::toolkit::verify::Layout;
+use jointproof::toolkit::verify::golden::components;
+use judge::{Answer, Manners};
+use std::collections::BTreeMap;
+use std::fmt::Write;
+use std::path::Path;
+use std::time::Duration;
+
+/// The results that are listed.
+const SHOWN: usize = 6;
+/// Points beside each golden case.
+const BESIDE: usize = 2;
+/// How much larger than that of a rounding of the inputs an error may be.
+const ROUNDINGS: f64 = 1e4;
+/// An error that is always allowed, in parts of the largest number of its kind.
+const PRECISION: f64 = 1e-10;
+/// The largest length of a comment.
+const WIDTH: usize = 120;
+/// A rounding of a number of size 1.
+const ROUNDING: f64 = 2e-16;
+
+/// How the arguments of a UEL are made of an element's inputs.
+struct Mapping {
+    layout: Layout,
+    /// The numbers of coordinates and of nodes.
+    mcrd: usize,
+    nodes: usize,
+    /// Where the orientations of each node are among the inputs: vectors of each.
+    triads: Vec<Vec<usize>>,
+    /// Where the position of each node is among the inputs.
+    positions: Vec<usize>,
+}
+
+fn len(fields: &[Field]) -> usize {
+    fields.iter().map(Field::len).sum()
+}
+
+impl Mapping {
+    fn new(element: &dyn AnyElement) -> Self {
+        let layout = element.layout();
+        let (mut triads, mut positions): (BTreeMap<String, Vec<usize>>, _) = (BTreeMap::new(), Vec::new());
+        let (mut at, mut mcrd) = (0, 3);
+        for field in layout.nodes {
+            if field.name.starts_with('x') {
+                positions.push(at);
+                mcrd = field.len();
+            } else {
+                // The orientation of a node ends with its name: e1a, e2a, e3a.
+                triads.entry(field.name[2..].to_owned()).or_default().push(at);
+            }
+            at += field.len();
+        }
+        let internal = usize::from(!layout.multipliers.is_empty());
+        Self { mcrd, nodes: positions.len() + internal, triads: triads.into_values().collect(), positions, layout }
+    }
+
+    fn ndofel(&self) -> usize {
+        len(self.layout.unknowns) + len(self.layout.multipliers)
+    }
+
+    fn orientations(&self) -> usize {
+        self.triads.iter().map(|triad| triad.len() * self.mcrd).sum()
+    }
+
+    fn nprops(&self) -> usize {
+        self.orientations() + len(self.layout.start) + len(self.layout.contact)
+    }
+
+    fn numbers(&self) -> [usize; 2] {
+        let (n, states) = (self.ndofel(), self.svars());
+        [self.nprops().max(1) + states + self.mcrd * self.nodes + n, n + n * n + states]
+    }
+
+    /// The states; an array has one at least.
+    fn svars(&self) -> usize {
+        len(self.layout.state).max(1)
+    }
+
+    /// PROPS, SVARS, COORDS and U at inputs.
+    fn arguments(&self, inputs: &[f64], rubs: bool, random: &mut Random) -> Vec<f64> {
+        let layout = &self.layout;
+        let nodes = len(layout.nodes);
+        let multipliers = &inputs[nodes..nodes + len(layout.multipliers)];
+        let rest = &inputs[nodes + multipliers.len()..];
+        let (start, rest) = rest.split_at(len(layout.start));
+        let (contact, state) = if rubs { rest.split_at(len(layout.contact)) } else { (rest, rest) };
+        let mut turns = Vec::new();
+        let mut props = Vec::new();
+        for triad in &self.triads {
+            if self.mcrd == 3 {
+                let theta = [(); 3].map(|()| 1.25 * random.next());
+                let back = rotation(theta.map(|component| -component));
+                for &vector in triad {
+                    props.extend(back.map(|row| (0..3).map(|k| row[k] * inputs[vector + k]).sum::<f64>()));
+                }
+                turns.push(theta.to_vec());
+            } else {
+                let angle = 1.25 * random.next();
+                let (sine, cosine) = angle.sin_cos();
+                for &vector in triad {
+                    let [x, y] = [inputs[vector], inputs[vector + 1]];
+                    props.extend([cosine * x + sine * y, cosine * y - sine * x]);
+                }
+                turns.push(vec![angle]);
+            }
+        }
+        props.extend(start);
+        props.extend(if rubs { contact.to_vec() } else { vec![0.0; len(layout.contact)] });
+        props.resize(self.nprops().max(1), 0.0);
+        let mut svars = if rubs { state.to_vec() } else { vec![0.0; len(layout.state)] };
+        svars.resize(self.svars(), 0.0);
+        let mut coords = Vec::new();
+        let mut displaced = Vec::new();
+        for &position in &self.positions {
+            for &x in &inputs[position..position + self.mcrd] {
+                // No rounding from COORDS to X.
+                let part = [0.25, 0.5, 0.75, 1.25][random.below(4)];
+                let from = if x == 0.0 { part } else { part * x.signum() * x.abs().log2().floor().exp2() };
+                coords.push(from);
+                displaced.push(x - from);
+            }
+        }
+        coords.resize(self.mcrd * self.nodes, 0.625);
+        let (mut displaced, mut turns) = (displaced.into_iter(), turns.into_iter());
+        let mut u = Vec::new();
+        for unknown in layout.unknowns {
+            if unknown.name.starts_with('t') {
+                u.extend(turns.next().unwrap_or_else(|| vec![random.next(); unknown.len()]));
+            } else {
+                u.extend(displaced.by_ref().take(unknown.len()));
+            }
+        }
+        u.extend(multipliers);
+        [props, svars, coords, u].concat()
+    }
+
+    /// RHS, minus AMATRX, and SVARS, from the results of the element; `None` for what nobody says.
+    fn expected(&self, results: &[f64], rubs: bool) -> Vec<Option<f64>> {
+        let [n, m, conditions] = [self.layout.unknowns, self.layout.multipliers, self.layout.residuals].map(len);
+        let [rows, forces, stiffness] = [conditions, conditions + conditions * n, conditions + conditions * n + n];
+        let by_multipliers = stiffness + n * n;
+        let after = by_multipliers + n * m;
+        let mut expected: Vec<_> = results[forces..stiffness].iter().chain(&results[..m]).copied().map(Some).collect();
+        for row in 0..n {
+            expected.extend(results[stiffness + row * n..][..n].iter().copied().map(Some));
+            expected.extend(results[by_multipliers + row * m..][..m].iter().copied().map(Some));
+        }
+        for row in 0..m {
+            expected.extend(results[rows + row * n..][..n].iter().copied().map(Some));
+            expected.extend(vec![Some(0.0); m]);
+        }
+        if rubs {
+            expected.extend(results[after..].iter().copied().map(Some));
+        }
+        expected.resize(self.numbers()[1], None);
+        expected
+    }
+
+    /// The name of a number of the answer.
+    fn name(&self, place: usize) -> String {
+        let n = self.ndofel();
+        match place {
+            place if place < n => format!("RHS({})", place + 1),
+            place if place < n + n * n => format!("AMATRX({},{})", (place - n) / n + 1, (place - n) % n + 1),
+            place => format!("SVARS({})", place - n - n * n + 1),
+        }
+    }
+
+    /// Where the numbers begin that a number is compared with in size, and where they end: RHS, a row of AMATRX, or SVARS.
+    fn kind(&self, place: usize) -> std::ops::Range<usize> {
+        let n = self.ndofel();
+        match place {
+            place if place < n => 0..n,
+            place if place < n + n * n => (place / n * n)..(place / n * n + n),
+            _ => n + n * n..self.numbers()[1],
+        }
+    }
+}
+
+/// Numbers from -1 to 1, the same in every run.
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> f64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        #[expect(clippy::cast_precision_loss, reason = "32 bits are enough")]
+        let part = (self.0 >> 32) as f64 / f64::from(u32::MAX);
+        2.0 * part - 1.0
+    }
+
+    fn below(&mut self, count: usize) -> usize {
+        self.next();
+        usize::try_from(self.0 >> 40).unwrap_or_default() % count
+    }
+}
+
+/// A point with what is expected there, and how far rounding may lead from it.
+struct Point {
+    name: String,
+    arguments: Vec<f64>,
+    expected: Vec<Option<f64>>,
+    allowed: Vec<f64>,
+}
+
+fn points(element: &dyn AnyElement, mapping: &Mapping) -> Vec<Point> {
+    let mut random = Random(0x9E37_79B9_7F4A_7C15);
+    let nodes = len(mapping.layout.nodes);
+    let is_position =
+        |k: usize| k >= nodes || mapping.positions.iter().any(|&from| (from..from + mapping.mcrd).contains(&k));
+    let mut points = Vec::new();
+    for case in element.golden().cases.iter().filter(|case| case.out.is_some()) {
+        let rubs = mapping.layout.contact.first().is_some_and(|field| case.inputs.contains_key(field.name));
+        let Ok(given) = components(element.inputs(rubs), &case.inputs) else { continue };
+        for beside in 0..=BESIDE {
+            let mut inputs = given.clone();
+            if beside > 0 {
+                (0..inputs.len()).filter(|&k| is_position(k)).for_each(|k| inputs[k] *= 1.0 + 0.25 * random.next());
+            }
+            if inputs.iter().any(|x| *x != 0.0 && !(1e-100..1e100).contains(&x.abs())) {
+                continue;
+            }
+            let Ok(results) = element.value(&inputs, rubs) else { continue };
+            let rounded = [(); 3].map(|()| {
+                let moved =
+                    |(k, &x): (usize, &f64)| x + ROUNDING * random.next() * if is_position(k) { x } else { 1.0 };
+                let inputs: Vec<_> = inputs.iter().enumerate().map(moved).collect();
+                element.value(&inputs, rubs)
+            });
+            let expected = mapping.expected(&results, rubs);
+            let rounded: Vec<_> = rounded.iter().flatten().map(|results| mapping.expected(results, rubs)).collect();
+            let allowed = |place: usize| {
+                let size = expected[mapping.kind(place)].iter().flatten().fold(0.0_f64, |most, x| most.max(x.abs()));
+                let rounding = rounded.iter().filter_map(|one| Some((one[place]? - expected[place]?).abs()));
+                PRECISION * size + ROUNDINGS * rounding.fold(0.0, f64::max)
+            };
+            let name = if beside == 0 { case.id.clone() } else { format!("{}, varied {beside}", case.id) };
+            let arguments = mapping.arguments(&inputs, rubs, &mut random);
+            points.push(Point { name, arguments, allowed: (0..expected.len()).map(allowed).collect(), expected });
+        }
+    }
+    points
+}
+
+fn found<'a>(project: &Project, id: &str) -> Result<&'a dyn AnyElement, Usage> {
+    let ids = || project.elements().iter().map(|element| element.spec().id).collect::<Vec<_>>().join(", ");
+    let element = project.elements().iter().find(|element| element.spec().id == id);
+    element.copied().ok_or_else(|| Usage(format!("--element '{id}' is no element, but there are {}", ids())))
+}
+
+/// Prints or writes the driver of an element.
+///
+/// # Errors
+/// If there is no such element, or a file cannot be written.
+pub(super) fn driver(project: &Project, id: &str, out: Option<&Path>) -> Outcome {
+    let element = found(project, id)?;
+    let text = text(element);
+    print(&match out {
+        Some(folder) => abi::write_text("uel", &text, folder)?,
+        None => text,
+    })?;
+    Ok(verdict(true))
+}
+
+fn text(element: &dyn AnyElement) -> String {
+    let mapping = Mapping::new(element);
+    let Layout { unknowns, multipliers, start, contact, state, .. } = &mapping.layout;
+    let names = |fields: &[Field]| {
+        let name = |field: &Field| match field.len() {
+            1 => field.name.to_owned(),
+            len => format!("{}({len})", field.name),
+        };
+        fields.iter().map(name).collect::<Vec<_>>().join(", ")
+    };
+    let or_none = |text: String| if text.is_empty() { "not used".to_owned() } else { text };
+    let triads = match (mapping.orientations(), mapping.mcrd) {
+        (0, _) => String::new(),
+        (_, 3) => "both triads at the start, e1, e2, e3 of a and of b; ".into(),
+        _ => "e2 of node a at the start; ".into(),
+    };
+    let internal = if multipliers.is_empty() {
+        "There are no multipliers.".into()
+    } else {
+        format!("The last node has as degrees of freedom {}; its COORDS are anything.", names(multipliers))
+    };
+    let props = or_none(format!("{triads}{}", names(&[*start, *contact].concat())));
+    let friction = contact.first().map_or(String::new(), |field| format!("; where {} is 0 nothing rubs", field.name));
+    let residuals = if multipliers.is_empty() { "" } else { ", and by how much its conditions are off" };
+    let sizes = [mapping.ndofel(), mapping.nodes, mapping.mcrd, mapping.svars(), mapping.nprops().max(1)];
+    let [ndofel, nnode, mcrd, nsvars, nprops] = sizes.map(|size| size.to_string());
+    let id = element.spec().id;
+    let values = [
+        ("id", id),
+        ("unknowns", &names(unknowns)),
+        ("internal", &internal),
+        ("props", &format!("{props}{friction}")),
+        ("svars", &or_none(names(state))),
+        ("residuals", residuals),
+        ("ndofel", &ndofel),
+        ("nnode", &nnode),
+        ("mcrd", &mcrd),
+        ("nsvars", &nsvars),
+        ("nprops", &nprops),
+    ];
+    let template = include_str!("driver/abi/uel_element.f90").to_owned();
+    let template = values.iter().fold(template, |text, (name, value)| text.replace(&format!("{{{name}}}"), value));
+    let is_note = |line: &str| line.starts_with("! ") && line.len() > WIDTH;
+    let lines = template.lines().map(|line| if is_note(line) { wrapped(line) } else { line.to_owned() });
+    let template = lines.collect::<Vec<_>>().join("\n");
+    abi::around("UEL", &template, mapping.numbers(), &format!("check --element {id}"))
+}
+
+/// A comment in lines that are not too long.
+fn wrapped(line: &str) -> String {
+    let mut lines = vec!["!".to_owned()];
+    for word in line.split_whitespace().skip(1) {
+        let last = lines.len() - 1;
+        if lines[last].len() + word.len() < WIDTH {
+            lines[last].extend([" ", word]);
+        } else {
+            lines.push(format!("! {word}"));
+        }
+    }
+    lines.join("\n")
+}
+
+/// Compares a routine with an element.
+///
+/// # Errors
+/// If there is no such element, or the program cannot be started.
+pub(super) fn run(project: &Project, id: &str, program: &[String], limit: Duration) -> Outcome {
+    let element = found(project, id)?;
+    let mapping = Mapping::new(element);
+    let points = points(element, &mapping);
+    let [inputs, numbers] = mapping.numbers();
+    let shown = |point: &Point| point.arguments.iter().map(|&x| Digits::Decimal.show(x)).collect::<Vec<_>>().join(" ");
+    debug_assert!(points.iter().all(|point| point.arguments.len() == inputs), "{id}: every argument");
+    let peer = Peer { command: program, limit, head: None, numbers, digits: Digits::Decimal };
+    let head = |mark: &str| format!("{mark} {} by {}", bold(id), program.join(" "));
+    let lines: Vec<_> = points.iter().map(shown).collect();
+    let replies = match peer.ask(&lines)? {
+        Ok(Replies { replies, .. }) => replies,
+        Err(why) => {
+            print(&format!("{}: {why}\n", head(&red("off"))))?;
+            return Ok(verdict(false));
+        }
+    };
+    let mut text = String::new();
+    let mut faults: BTreeMap<String, Vec<&str>> = BTreeMap::new();
+    let mut wrong: BTreeMap<usize, (usize, String)> = BTreeMap::new();
+    let mut off = 0;
+    for (point, reply) in points.iter().zip(&replies) {
+        let answer = match reply {
+            Reply::Line(line) => line::read(line, numbers, Digits::Decimal, &mut Manners::new()),
+            Reply::Hangs => Answer::Bad("no answer within the limit".into()),
+            Reply::Ends(how) => Answer::Bad(how.clone()),
+            Reply::NotAsked => Answer::Bad("not asked any more".into()),
+        };
+        let fault = match answer {
+            Answer::Numbers(found) => {
+                let mut is_off = false;
+                for (place, (found, expected)) in found.iter().zip(&point.expected).enumerate() {
+                    let (Some(found), Some(expected)) = (found, expected) else { continue };
+                    if (found - expected).abs() <= point.allowed[place] {
+                        continue;
+                    }
+                    is_off = true;
+                    let sign = if mapping.name(place).starts_with('A') { -1.0 } else { 1.0 };
+                    let first = || format!("{:.9e} instead of {:.9e} at {}", sign * found, sign * expected, point.name);
+                    wrong.entry(place).or_insert_with(|| (0, first())).0 += 1;
+                }
+                off += usize::from(is_off);
+                continue;
+            }
+            Answer::Refused(_) => "refused by PNEWDT".to_owned(),
+            Answer::Bad(what) | Answer::Skipped(what) => what,
+        };
+        off += 1;
+        faults.entry(fault).or_default().push(&point.name);
+    }
+    let all = count(points.len(), "point");
+    let _ = if off == 0 {
+        writeln!(text, "RHS, AMATRX and SVARS are those of the element at {all}, for LFLAGS(3) = 1, 2 and 5")
+    } else {
+        writeln!(text, "it is not the element at {off} of {all}")
+    };
+    for (fault, at) in &faults {
+        let _ = writeln!(text, "    {fault}: {}, first {}", count(at.len(), "point"), at[0]);
+    }
+    for (place, (times, first)) in wrong.iter().take(SHOWN) {
+        let _ = writeln!(text, "    {} is {first}; wrong at {}", mapping.name(*place), count(*times, "point"));
+    }
+    if wrong.len() > SHOWN {
+        let _ = writeln!(text, "    and {} more", count(wrong.len() - SHOWN, "number"));
+    }
+    print(&format!("{}: {text}", head(&if off == 0 { green("ok ") } else { red("off") })))?;
+    Ok(verdict(off == 0))
+}
