@@ -34,6 +34,7 @@ mod outcome;
 mod plot;
 mod project;
 mod prose;
+mod prove;
 mod report;
 mod review;
 #[cfg(test)]

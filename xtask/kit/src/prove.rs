@@ -1,0 +1,196 @@
+//! `prove`: certificates of bounds of rounding errors, written or checked.
+
+use crate::console::{bold, count, green, print, progress, red};
+use crate::files;
+use crate::outcome::{Outcome, verdict};
+use crate::project::Project;
+use crate::selection::{Formulas, Selection};
+use indicatif::ParallelProgressIterator;
+use jointproof::catalog::AnyFormula;
+use jointproof::toolkit::bound::{Programme, Proof};
+use jointproof::toolkit::graph::Graph;
+use microlp::{ComparisonOp, OptimizationDirection, Problem, SolveOutcome, Variable};
+use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
+use std::fmt::Write;
+use std::path::PathBuf;
+
+/// Prove bounds of the rounding errors of values and Jacobians, or check the proofs
+///
+/// A bound is proved by a certificate: how often each of a few rules is used, which add up to the bound. It holds for all inputs.
+#[derive(clap::Args)]
+#[command(after_help = "Examples:
+  {command} prove                       write changed certificates, remove those without a formula
+  {command} prove --check               check the committed certificates, write nothing
+  {command} prove --filter '{family}.*' only the formulas of a family
+  {command} prove --graphs graphs       write the graphs that the certificates are about into a folder")]
+pub(crate) struct Arguments {
+    /// Check the committed certificates and write nothing; exit 1 if one does not add up
+    #[arg(long)]
+    check: bool,
+    /// Write into this folder the graphs that the certificates are about, for another checker
+    #[arg(long, value_name = "FOLDER", conflicts_with = "check")]
+    graphs: Option<PathBuf>,
+    #[command(flatten)]
+    selection: Selection,
+}
+
+pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
+    let formulas = arguments.selection.formulas(project)?;
+    if let Some(folder) = &arguments.graphs {
+        for formula in &formulas {
+            if let Ok(graph) = formula.graph() {
+                files::write(&folder.join(name(*formula)), &graph.text(formula.inputs()))?;
+            }
+        }
+        print(&format!("{} in {}\n", count(formulas.len(), "graph"), folder.display()))?;
+        return Ok(verdict(true));
+    }
+    project.needs_sources("prove")?;
+    if arguments.check {
+        let (passed, report) = check(project, &arguments.selection)?;
+        print(&report)?;
+        return Ok(verdict(passed));
+    }
+    print(&write(project, &arguments.selection, &formulas)?)?;
+    Ok(verdict(true))
+}
+
+fn name(formula: &dyn AnyFormula) -> String {
+    format!("{}.jsonl", formula.spec().id)
+}
+
+fn folder(project: &Project) -> PathBuf {
+    project.golden().join("bounds")
+}
+
+fn write(project: &Project, selection: &Selection, formulas: &Formulas) -> anyhow::Result<String> {
+    let bar = progress("prove", formulas.len());
+    let prove = |formula: &&dyn AnyFormula| {
+        let graph = formula.graph().ok()?;
+        let proof = Proof::of(&graph, formula.inputs(), solve);
+        Some((name(*formula), proof.render(formula.spec().id, &digest(*formula, &graph)), Total::of(&proof, &graph)))
+    };
+    let proved: Vec<_> = formulas.par_iter().progress_with(bar).map(prove).collect();
+    let (mut report, mut total) = (String::new(), Total::default());
+    for (name, text, of) in proved.into_iter().flatten() {
+        let path = folder(project).join(name);
+        if files::write(&path, &text)? {
+            writeln!(report, "wrote {}", project.shown(&path))?;
+        }
+        total.add(&of);
+    }
+    for orphan in if selection.is_all() { orphans(project)? } else { Vec::new() } {
+        std::fs::remove_file(&orphan)?;
+        writeln!(report, "removed {}: no such formula", project.shown(&orphan))?;
+    }
+    writeln!(report, "{}", total.text())?;
+    Ok(report)
+}
+
+/// Certificates of formulas that no longer exist.
+fn orphans(project: &Project) -> anyhow::Result<Vec<PathBuf>> {
+    files::with_extension_but(&folder(project), "jsonl", |id| project.find(id).is_some())
+}
+
+/// Checks the committed certificates: the verdict, and what is off.
+pub(crate) fn check(project: &Project, selection: &Selection) -> anyhow::Result<(bool, String)> {
+    let formulas = selection.formulas(project)?;
+    let bar = progress("bounds", formulas.len());
+    let results: Vec<_> = formulas.par_iter().progress_with(bar).map(|formula| examined(project, *formula)).collect();
+    let (mut lines, mut total) = (String::new(), Total::default());
+    let mut passed = true;
+    for result in results {
+        match result {
+            Ok(of) => total.add(&of),
+            Err(why) => {
+                passed = false;
+                writeln!(lines, "{why}")?;
+            }
+        }
+    }
+    for orphan in if selection.is_all() { orphans(project)? } else { Vec::new() } {
+        passed = false;
+        writeln!(lines, "{} has no formula", bold(project.shown(&orphan)))?;
+    }
+    let mark = if passed { green("ok") } else { red("off") };
+    Ok((passed, format!("{lines}{mark} {}\n", total.text())))
+}
+
+/// What the committed certificates of a formula prove.
+fn examined(project: &Project, formula: &dyn AnyFormula) -> Result<Total, String> {
+    let Ok(graph) = formula.graph() else { return Ok(Total::default()) };
+    let path = folder(project).join(name(formula));
+    let wrong = |why: String| format!("{}: {why}", bold(project.shown(&path)));
+    let text = std::fs::read_to_string(&path).map_err(|error| wrong(error.to_string()))?;
+    let proof = read(&text, formula, &graph).map_err(wrong)?;
+    proof.check(&graph, formula.inputs()).map_err(wrong)?;
+    Ok(Total::of(&proof, &graph))
+}
+
+fn read(text: &str, formula: &dyn AnyFormula, graph: &Graph) -> Result<Proof, String> {
+    Proof::parse(text, formula.spec().id, &digest(formula, graph))
+}
+
+/// What is said to be proved of value and Jacobian of a formula, as committed; `None` where there is no file about its graph.
+pub(crate) fn stated(project: &Project, formula: &dyn AnyFormula) -> Option<[jointproof::toolkit::bound::Summary; 2]> {
+    let graph = formula.graph().ok()?;
+    let text = std::fs::read_to_string(folder(project).join(name(formula))).ok()?;
+    let proof = read(&text, formula, &graph).ok()?;
+    Some([proof.summary(&graph.value), proof.summary(&graph.jacobian)])
+}
+
+fn digest(formula: &dyn AnyFormula, graph: &Graph) -> String {
+    files::digest(graph.text(formula.inputs()))
+}
+
+/// Counts over formulas.
+#[derive(Default)]
+struct Total {
+    formulas: usize,
+    whole: usize,
+    entries: usize,
+    open: usize,
+}
+
+impl Total {
+    fn of(proof: &Proof, graph: &Graph) -> Self {
+        let both = [proof.summary(&graph.value), proof.summary(&graph.jacobian)];
+        let open = both.iter().map(|of| of.open.len()).sum();
+        Self { formulas: 1, whole: usize::from(open == 0), entries: both.iter().map(|of| of.entries).sum(), open }
+    }
+
+    fn add(&mut self, other: &Self) {
+        self.formulas += other.formulas;
+        self.whole += other.whole;
+        self.entries += other.entries;
+        self.open += other.open;
+    }
+
+    fn text(&self) -> String {
+        let Self { formulas, whole, entries, open } = *self;
+        format!(
+            "{}, {whole} proved whole; {} of {}",
+            count(formulas, "formula"),
+            entries - open,
+            count(entries, "entry")
+        )
+    }
+}
+
+/// Solves a linear programme by the simplex method, whose solutions use few rules.
+fn solve(programme: &Programme) -> Option<Vec<f64>> {
+    // So little that it only decides between solutions of the same bound.
+    const USE: f64 = 1e-6;
+    let mut problem = Problem::new(OptimizationDirection::Minimize);
+    let bound = problem.add_var(1.0, (0.0, f64::INFINITY));
+    let amounts: Vec<Variable> = programme.rules.iter().map(|_| problem.add_var(USE, (0.0, f64::INFINITY))).collect();
+    let mut parts: Vec<Vec<(Variable, f64)>> = programme.room.iter().map(|&room| vec![(bound, -room)]).collect();
+    for (adds, &amount) in programme.rules.iter().zip(&amounts) {
+        adds.iter().for_each(|&(part, factor)| parts[part].push((amount, factor)));
+    }
+    for (part, &load) in parts.into_iter().zip(&programme.load) {
+        problem.add_constraint(part, ComparisonOp::Le, -load);
+    }
+    let SolveOutcome::Solution(solution) = problem.solve().ok()? else { return None };
+    Some(amounts.into_iter().map(|amount| solution[amount]).collect())
+}
