@@ -6,7 +6,7 @@
 use num_rational::Ratio;
 
 /// The number of points.
-pub(super) const POINTS: usize = 6;
+pub(super) const POINTS: usize = 8;
 /// The prime; −1 has no root modulo it.
 const PRIME: u64 = (1 << 61) - 1;
 /// Numerators and denominators of factors are smaller.

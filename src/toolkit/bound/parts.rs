@@ -6,7 +6,7 @@ use super::way::Way;
 use crate::toolkit::graph::{Binary, Node, Op, Unary};
 use num_traits::{One, Signed, Zero};
 use rustc_hash::FxHashMap;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Trials of a point at which all roots exist.
 const TRIALS: u64 = 4096;
@@ -123,64 +123,62 @@ fn inverse(x: &Values) -> Values {
 /// The numbers of a way, and those that its comparisons compare, at all points.
 fn values(way: &Way, nodes: &[Node]) -> Result<BTreeMap<Node, Values>, Obstacle> {
     let mut values: BTreeMap<Node, Values> = nodes.iter().map(|&node| (node, [0; POINTS])).collect();
-    let mut has_no_root = BTreeMap::new();
-    for point in 0..POINTS {
-        let mut trials = (0..TRIALS).map(|trial| at_point(way, nodes, point as u64 * TRIALS + trial, &mut has_no_root));
+    let mut not_squares = BTreeSet::new();
+    for point in 0..POINTS as u64 {
+        let mut trials = (0..TRIALS).map(|trial| at_point(way, nodes, point * TRIALS + trial, &mut not_squares));
         let found = trials.find_map(|found| found).ok_or(Obstacle::Roots)?;
         found.into_iter().for_each(|(node, value)| {
-            values.entry(node).and_modify(|values| values[point] = value);
+            values.entry(node).and_modify(|values| values[usize::try_from(point).unwrap_or(0)] = value);
         });
     }
-    // The root of a square would be that of a magnitude, which has no sign here.
-    let is_root = |node: &Node| matches!(way.graph.op(*node), Op::Unary(Unary::Root, _) | Op::Norm(_));
-    if nodes.iter().filter(|node| is_root(node)).any(|node| !has_no_root.contains_key(node)) {
-        let mut more =
-            (0..TRIALS).map(|trial| at_point(way, nodes, (POINTS as u64 + 1) * TRIALS + trial, &mut has_no_root));
-        more.by_ref().take(64).for_each(drop);
+    // The root of a square is a magnitude, whose sign the root in the field does not have. Of others every second root does not exist.
+    let mut more = POINTS as u64 * TRIALS..(POINTS as u64 + 1) * TRIALS;
+    let roots = nodes.iter().filter(|node| matches!(way.graph.op(**node), Op::Unary(Unary::Root, _) | Op::Norm(_)));
+    for root in roots {
+        let is_no_square = |of: &BTreeSet<Node>| of.contains(root);
+        while !is_no_square(&not_squares) {
+            let point = more.next().ok_or(Obstacle::Roots)?;
+            at_point(way, nodes, point, &mut not_squares);
+        }
     }
-    let all = nodes.iter().filter(|node| is_root(node)).all(|node| has_no_root.contains_key(node));
-    if all { Ok(values) } else { Err(Obstacle::Roots) }
+    Ok(values)
 }
 
-/// The numbers at one point; `None` where a root or a quotient does not exist.
-fn at_point(
-    way: &Way,
-    nodes: &[Node],
-    point: u64,
-    has_no_root: &mut BTreeMap<Node, ()>,
-) -> Option<FxHashMap<Node, u64>> {
-    let mut values = FxHashMap::default();
+/// The numbers at one point; `None` where a root or a quotient does not exist. Roots that do not are noted.
+fn at_point(way: &Way, nodes: &[Node], point: u64, not_squares: &mut BTreeSet<Node>) -> Option<FxHashMap<Node, u64>> {
+    let (mut values, mut is_point) = (FxHashMap::default(), true);
     for &node in nodes {
         let symbol = || field::random([point, node.index() as u64, 0]);
         let operands = way.operands(node).ok()?;
         let x: Vec<u64> = operands.iter().map(|operand| values[operand]).collect();
         let products = |x: &[u64]| x.iter().copied().reduce(field::multiply).unwrap_or(1);
         let mut root = |square: u64| {
-            let found = field::root(square);
-            if found.is_none() {
-                has_no_root.insert(node, ());
-            }
             let is_other = field::random([point, node.index() as u64, 1]) & 1 == 1;
-            found.map(|root| if is_other { field::negative(root) } else { root })
+            let root = field::root(square).map(|root| if is_other { field::negative(root) } else { root });
+            root.unwrap_or_else(|| {
+                not_squares.insert(node);
+                is_point = false;
+                symbol()
+            })
         };
         let value = match way.graph.op(node) {
             Op::Number(_) => way.exact(node).and_then(field::of_rational).unwrap_or_else(symbol),
             Op::Unary(Unary::Negative, _) => field::negative(x[0]),
             // The sign is as unknown as a number.
             Op::Unary(Unary::Absolute, _) => field::multiply(x[0], symbol()),
-            Op::Unary(Unary::Root, _) => root(x[0])?,
+            Op::Unary(Unary::Root, _) => root(x[0]),
             Op::Binary(Binary::Add, ..) => field::add(x[0], x[1]),
             Op::Binary(Binary::Subtract, ..) => field::add(x[0], field::negative(x[1])),
             Op::Binary(Binary::Multiply, ..) => products(&x),
             Op::Binary(Binary::Divide, ..) => field::multiply(x[0], field::inverse(x[1])?),
             Op::MultiplyAdd(..) => field::add(products(&x[..2]), x[2]),
             Op::ExactSum(_) => x.chunks(4).map(products).fold(0, field::add),
-            Op::Norm(_) => root(x.iter().map(|&x| field::multiply(x, x)).fold(0, field::add))?,
+            Op::Norm(_) => root(x.iter().map(|&x| field::multiply(x, x)).fold(0, field::add)),
             _ => symbol(),
         };
         values.insert(node, value);
     }
-    Some(values)
+    is_point.then_some(values)
 }
 
 struct Build<'a> {
