@@ -204,14 +204,16 @@ impl Build<'_> {
                 self.equation(node, None, &product(&value, &total), &parts);
                 forms.extend(uses);
             }
-            let Some((factor, atom)) = whole else { continue };
-            let roundings = self.way.roundings(node) * factor.abs();
-            if roundings.is_positive() {
-                self.parts.load.entry(atom).or_insert((Rational::zero(), node)).0 += roundings;
+            if let Some((factor, atom)) = whole {
+                let roundings = self.way.roundings(node) * factor.abs();
+                if roundings.is_positive() {
+                    self.parts.load.entry(atom).or_insert((Rational::zero(), node)).0 += roundings;
+                }
+                if matches!(self.way.graph.op(node), Op::Input(_)) {
+                    *self.parts.room.entry(atom).or_default() += factor.abs();
+                }
             }
-            if matches!(self.way.graph.op(node), Op::Input(_)) {
-                *self.parts.room.entry(atom).or_default() += factor.abs();
-            }
+            // A number that is always 0 has no part, but what it is made of may have.
             self.operation(node, &forms)?;
         }
         if let Some((factor, atom)) = self.part(&self.values[&self.way.result], &[1; POINTS]) {

@@ -3,6 +3,7 @@
 use crate::console::{bold, print};
 use crate::outcome::{Outcome, verdict};
 use crate::project::Project;
+use crate::prove;
 use crate::selection::Selection;
 use jointproof::catalog::AnyFormula;
 use jointproof::formula::Field;
@@ -34,7 +35,7 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     let width = formulas.iter().map(|formula| formula.spec().id.len()).max().unwrap_or_default();
     let line = |formula: &&dyn AnyFormula| format!("{:width$}  {}\n", formula.spec().id, formula.spec().title);
     let text: Vec<_> = if arguments.show {
-        formulas.iter().map(|formula| shown(*formula)).collect()
+        formulas.iter().map(|formula| shown(project, *formula)).collect()
     } else {
         formulas.iter().map(line).collect()
     };
@@ -42,13 +43,14 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     Ok(verdict(true))
 }
 
-fn shown(formula: &dyn AnyFormula) -> String {
+fn shown(project: &Project, formula: &dyn AnyFormula) -> String {
     let spec = formula.spec();
     let mut text = format!("{}  {}\n    {}; {}\n", bold(spec.id), spec.title, spec.source, spec.source.provenance);
     let mut lines = vec![spec.latex.to_owned()];
     lines.extend(formula.inputs().iter().map(|field| described("in", field)));
     lines.extend(formula.outputs().iter().map(|field| described("out", field)));
     lines.push(format!("{}, at sizes {}", spec.accuracy(), spec.sizes()));
+    lines.extend(prove::words(project, formula));
     lines.extend(formula.kinks().iter().map(|kink| format!("kink: {}", kink.condition)));
     text.extend(lines.iter().flat_map(|line| ["    ", line, "\n"]));
     text

@@ -1,13 +1,13 @@
 //! `prove`: certificates of bounds of rounding errors, written or checked.
 
-use crate::console::{bold, count, green, print, progress, red};
+use crate::console::{bold, count, green, print, progress, red, say};
 use crate::files;
 use crate::outcome::{Outcome, verdict};
 use crate::project::Project;
 use crate::selection::{Formulas, Selection};
 use indicatif::ParallelProgressIterator;
 use jointproof::catalog::AnyFormula;
-use jointproof::toolkit::bound::{Programme, Proof};
+use jointproof::toolkit::bound::{Programme, Proof, Summary};
 use jointproof::toolkit::graph::Graph;
 use microlp::{ComparisonOp, OptimizationDirection, Problem, SolveOutcome, Variable};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
@@ -47,12 +47,26 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     }
     project.needs_sources("prove")?;
     if arguments.check {
-        let (passed, report) = check(project, &arguments.selection)?;
-        print(&report)?;
+        let Certified { passed, counts, off } = check(project, &arguments.selection)?;
+        let mark = if passed { green("ok") } else { red("off") };
+        print(&format!("{off}{mark} {counts}\n"))?;
+        if !passed {
+            say_what_mends(project);
+        }
         return Ok(verdict(passed));
     }
     print(&write(project, &arguments.selection, &formulas)?)?;
     Ok(verdict(true))
+}
+
+/// Tells how to resolve what is off.
+pub(crate) fn say_what_mends(project: &Project) {
+    say(&format!("to prove the bounds again: {} prove", project.command()));
+}
+
+/// Whether the project keeps certificates.
+pub(crate) fn has_certificates(project: &Project) -> bool {
+    folder(project).is_dir()
 }
 
 fn name(formula: &dyn AnyFormula) -> String {
@@ -92,28 +106,30 @@ fn orphans(project: &Project) -> anyhow::Result<Vec<PathBuf>> {
     files::with_extension_but(&folder(project), "jsonl", |id| project.find(id).is_some())
 }
 
-/// Checks the committed certificates: the verdict, and what is off.
-pub(crate) fn check(project: &Project, selection: &Selection) -> anyhow::Result<(bool, String)> {
+/// The result of a check.
+pub(crate) struct Certified {
+    pub(crate) passed: bool,
+    pub(crate) counts: String,
+    /// What is off, a line each.
+    pub(crate) off: String,
+}
+
+/// Adds up the committed certificates.
+pub(crate) fn check(project: &Project, selection: &Selection) -> anyhow::Result<Certified> {
     let formulas = selection.formulas(project)?;
     let bar = progress("bounds", formulas.len());
     let results: Vec<_> = formulas.par_iter().progress_with(bar).map(|formula| examined(project, *formula)).collect();
-    let (mut lines, mut total) = (String::new(), Total::default());
-    let mut passed = true;
+    let (mut off, mut total) = (String::new(), Total::default());
     for result in results {
         match result {
             Ok(of) => total.add(&of),
-            Err(why) => {
-                passed = false;
-                writeln!(lines, "{why}")?;
-            }
+            Err(why) => writeln!(off, "{why}")?,
         }
     }
     for orphan in if selection.is_all() { orphans(project)? } else { Vec::new() } {
-        passed = false;
-        writeln!(lines, "{} has no formula", bold(project.shown(&orphan)))?;
+        writeln!(off, "{} has no formula", bold(project.shown(&orphan)))?;
     }
-    let mark = if passed { green("ok") } else { red("off") };
-    Ok((passed, format!("{lines}{mark} {}\n", total.text())))
+    Ok(Certified { passed: off.is_empty(), counts: total.text(), off })
 }
 
 /// What the committed certificates of a formula prove.
@@ -132,11 +148,32 @@ fn read(text: &str, formula: &dyn AnyFormula, graph: &Graph) -> Result<Proof, St
 }
 
 /// What is said to be proved of value and Jacobian of a formula, as committed; `None` where there is no file about its graph.
-pub(crate) fn stated(project: &Project, formula: &dyn AnyFormula) -> Option<[jointproof::toolkit::bound::Summary; 2]> {
+pub(crate) fn stated(project: &Project, formula: &dyn AnyFormula) -> Option<[Summary; 2]> {
     let graph = formula.graph().ok()?;
     let text = std::fs::read_to_string(folder(project).join(name(formula))).ok()?;
     let proof = read(&text, formula, &graph).ok()?;
     Some([proof.summary(&graph.value), proof.summary(&graph.jacobian)])
+}
+
+/// What is proved, in words.
+pub(crate) fn words(project: &Project, formula: &dyn AnyFormula) -> Option<String> {
+    let [value, jacobian] = stated(project, formula)?;
+    let is_closed = formula.spec().is_closed();
+    let parts = [("value", Some(value)), ("Jacobian", is_closed.then_some(jacobian))];
+    let said = |(of, summary): (&str, Option<Summary>)| {
+        let Summary { bound, entries, open, first_order_only } = summary?;
+        let why = open.first().map(|(_, why)| why.as_str()).unwrap_or_default();
+        Some(match (entries, open.len()) {
+            (0, _) => format!("no rounding in the {of}"),
+            (all, of_all) if all == of_all => format!("nothing of the {of}: {why}"),
+            (all, some) => {
+                let order = if first_order_only { " to first order" } else { "" };
+                let rest = format!(" ({some} of {all} entries are not: {why})");
+                format!("η at most {bound} of the {of}{order}{}", if some == 0 { "" } else { &rest })
+            }
+        })
+    };
+    Some(format!("proved: {}", parts.into_iter().filter_map(said).collect::<Vec<_>>().join("; ")))
 }
 
 fn digest(formula: &dyn AnyFormula, graph: &Graph) -> String {
@@ -172,7 +209,7 @@ impl Total {
             "{}, {whole} proved whole; {} of {}",
             count(formulas, "formula"),
             entries - open,
-            count(entries, "entry")
+            if entries == 1 { "1 entry".to_owned() } else { format!("{entries} entries") }
         )
     }
 }
