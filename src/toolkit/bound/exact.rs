@@ -92,7 +92,7 @@ impl Way<'_> {
 }
 
 /// A double with few digits as the fraction that it is.
-fn rational(x: f64) -> Option<Rational> {
+pub(super) fn rational(x: f64) -> Option<Rational> {
     if x == 0.0 {
         return Some(Rational::zero());
     }

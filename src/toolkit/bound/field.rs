@@ -26,9 +26,11 @@ pub(super) fn negative(x: u64) -> u64 {
     if x == 0 { 0 } else { PRIME - x }
 }
 
-#[expect(clippy::cast_possible_truncation, reason = "a remainder is below the prime")]
+#[expect(clippy::cast_possible_truncation, reason = "61 bits each")]
 pub(super) fn multiply(x: u64, y: u64) -> u64 {
-    (u128::from(x) * u128::from(y) % u128::from(PRIME)) as u64
+    // 2⁶¹ is 1 more than the prime.
+    let product = u128::from(x) * u128::from(y);
+    add((product & u128::from(PRIME)) as u64, (product >> 61) as u64)
 }
 
 fn power(mut x: u64, mut exponent: u64) -> u64 {

@@ -198,8 +198,8 @@ fn written(rule: Rule, amount: Rational) -> Vec<Value> {
         Rule::Sum(node, form, part) => vec![json!("sum"), json!(node.index()), json!(form), json!(part)],
         Rule::Parts(node, form) => vec![json!("parts"), json!(node.index()), json!(form)],
         Rule::Angle(node) => vec![json!("angle"), json!(node.index())],
-        Rule::Order(node, form, part, other, by) => {
-            vec![json!("order"), json!(node.index()), json!(form), json!(part), json!(other), json!(by.index())]
+        Rule::Range(node, form, part, other, by) => {
+            vec![json!("range"), json!(node.index()), json!(form), json!(part), json!(other), json!(by.index())]
         }
     };
     step.push(json!(amount.to_string()));
@@ -218,7 +218,7 @@ fn read(step: &[Value]) -> Option<(Rule, Rational)> {
         ("sum", [of, form, part]) => Rule::Sum(node(of)?, (*form)?, (*part)?),
         ("parts", [of, form]) => Rule::Parts(node(of)?, (*form)?),
         ("angle", [of]) => Rule::Angle(node(of)?),
-        ("order", [of, form, part, other, by]) => Rule::Order(node(of)?, *form, (*part)?, (*other)?, node(by)?),
+        ("range", [of, form, part, other, by]) => Rule::Range(node(of)?, *form, (*part)?, (*other)?, node(by)?),
         _ => return None,
     };
     Some((rule, amount.as_str()?.parse().ok()?))

@@ -43,9 +43,10 @@ pub enum Rule {
     Parts(Node, usize),
     /// The part of an operand of an angle is at most that of the angle, since |sin θ cos θ| ≤ |θ|.
     Angle(Node),
-    /// One part of a sum (or, if the derivative is missing, of uses) is at most once or twice another one, since a comparison says so:
-    /// their ratio is that of the numbers compared, or of one of them and their sum or difference.
-    Order(Node, Option<usize>, usize, usize, Node),
+    /// One part of a sum (or, if the derivative is missing, of uses) is at most so many times another one, since their ratio is a
+    /// quotient of linear functions of a number that has bounds: an input, a number compared with a constant, or the ratio of two numbers
+    /// that are compared.
+    Range(Node, Option<usize>, usize, usize, Node),
 }
 
 /// The left parts together are at most the right ones together.
@@ -116,7 +117,7 @@ pub(super) fn negative(x: &Values) -> Values {
 }
 
 /// 1/x, or 0 where there is none, which makes no part.
-fn inverse(x: &Values) -> Values {
+pub(super) fn inverse(x: &Values) -> Values {
     x.map(|x| field::inverse(x).unwrap_or(0))
 }
 
@@ -342,13 +343,13 @@ impl Build<'_> {
             let name = form.map_or(Rule::Uses(node, k), |form| Rule::Sum(node, form, k));
             self.parts.rules.insert(name, inequality(vec![(factor.abs(), atom)], others.collect()));
         }
-        for compared in &self.signs.compared {
+        for bounded in &self.signs.bounded {
             for (k, left) in terms.iter().enumerate() {
                 for (other, right) in terms.iter().enumerate().filter(|&(other, _)| other != k) {
                     let (Some(left), Some(right)) = (left, right) else { continue };
-                    if let Some(most) = compared.ratio(&all[k], &all[other]) {
+                    if let Some(most) = bounded.most(&all[k], &all[other]) {
                         let right = (right.0 * most, right.1);
-                        let name = Rule::Order(node, form, k, other, compared.by);
+                        let name = Rule::Range(node, form, k, other, bounded.by);
                         self.parts.rules.insert(name, inequality(vec![*left], vec![right]));
                     }
                 }

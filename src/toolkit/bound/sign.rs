@@ -1,10 +1,11 @@
 //! What is known of signs and sizes on a way: from domains, squares, magnitudes, and from what its comparisons say.
 
-use super::field::{POINTS, Rational, Values};
-use super::parts::{negative, product, sum};
+use super::exact::rational;
+use super::field::{self, POINTS, Rational, Values};
+use super::parts::{inverse, negative, product};
 use super::way::Way;
 use crate::toolkit::graph::{Binary, Node, Op, Relation, Unary};
-use num_traits::Zero;
+use num_traits::{Signed, Zero};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Which of two numbers is not above the other one, by which comparison.
@@ -38,29 +39,96 @@ impl Order {
         }
         Self { pairs, nodes: nodes.into_iter().collect() }
     }
+
+    /// The numbers that their domains, and comparisons with constants, bound by other numbers than 0.
+    fn bounded(&self, way: &Way, domains: &[[Option<f64>; 2]], values: &BTreeMap<Node, Values>) -> Vec<Bounded> {
+        let mut ends: BTreeMap<Node, [Option<Rational>; 2]> = BTreeMap::new();
+        let inputs = self.nodes.iter().filter_map(|&node| match way.graph.op(node) {
+            Op::Input(k) => Some((node, domains[*k].map(|end| end.and_then(rational)))),
+            _ => None,
+        });
+        ends.extend(inputs);
+        for &[less, more, _] in &self.pairs {
+            if let Some(end) = way.exact(less) {
+                let low = &mut ends.entry(more).or_default()[0];
+                *low = Some(low.map_or(end, |low| low.max(end)));
+            }
+            if let Some(end) = way.exact(more) {
+                let high = &mut ends.entry(less).or_default()[1];
+                *high = Some(high.map_or(end, |high| high.min(end)));
+            }
+        }
+        let says_more = |ends: &[Option<Rational>; 2]| ends.iter().flatten().any(|end| !end.is_zero());
+        let ends = ends.into_iter().filter(|(node, ends)| says_more(ends) && way.exact(*node).is_none());
+        ends.map(|(by, [low, high])| Bounded { value: values[&by], low, high, by }).collect()
+    }
 }
 
-/// One number is at most as large as another one, in magnitude.
-pub(super) struct Compared {
-    smaller: Values,
-    larger: Values,
+/// A number within bounds: an input or a result that is compared with a constant, or the ratio of two numbers of which one is larger.
+pub(super) struct Bounded {
+    value: Values,
+    low: Option<Rational>,
+    high: Option<Rational>,
+    /// The number itself, or the comparison.
     pub(super) by: Node,
 }
 
-impl Compared {
-    /// How many times the second the first is at most, if their ratio is that of these numbers, or of their sum or difference and the
-    /// larger one.
-    pub(super) fn ratio(&self, first: &Values, second: &Values) -> Option<Rational> {
-        let left = product(first, &self.larger);
-        let is = |most: i128, number: &Values| {
-            let right = product(second, number);
-            (left == right || left == negative(&right)).then(|| Rational::from(most))
+impl Bounded {
+    /// The bounds of the ratio of two other numbers, if it is (α + βz)/(γ + δz) with small fractions α, β, γ and δ, z being this number.
+    pub(super) fn ratio(&self, first: &Values, second: &Values) -> Option<[Rational; 2]> {
+        // α q + β z q − γ p − δ z p = 0 at every point, with the ratio p/q: three points decide, the others confirm.
+        let rows: [[u64; 4]; POINTS] = std::array::from_fn(|k| {
+            let [z, p, q] = [self.value[k], field::negative(first[k]), second[k]];
+            [q, field::multiply(z, q), p, field::multiply(z, p)]
+        });
+        let [alpha, beta, gamma, delta] = orthogonal(&rows[..3]);
+        let factors = [alpha, beta, gamma, delta];
+        let sum = |row: &[u64; 4]| row.iter().zip(factors).map(|(&x, y)| field::multiply(x, y)).fold(0, field::add);
+        let unit = if gamma == 0 { delta } else { gamma };
+        if unit == 0 || rows.iter().any(|row| sum(row) != 0) {
+            return None;
+        }
+        let per_unit = field::inverse(unit)?;
+        let fraction = |x: u64| field::to_rational(field::multiply(x, per_unit));
+        let [alpha, beta, gamma, delta] = [fraction(alpha)?, fraction(beta)?, fraction(gamma)?, fraction(delta)?];
+        // Numerator and denominator at an end; of infinity, their signs and ratio.
+        let at = |end: Option<Rational>, infinity: i128| match end {
+            Some(z) => [alpha + beta * z, gamma + delta * z],
+            None if beta.is_zero() && delta.is_zero() => [alpha, gamma],
+            None if delta.is_zero() => [beta * infinity, Rational::zero()],
+            None => [beta * infinity, delta * infinity],
         };
-        is(1, &self.smaller)
-            .or_else(|| is(2, &sum(&self.smaller, &self.larger)))
-            .or_else(|| is(2, &sum(&self.smaller, &negative(&self.larger))))
+        let [low, high] = [at(self.low, -1), at(self.high, 1)];
+        // Between the ends, the ratio is monotone unless the denominator changes its sign.
+        if !(low[1] * high[1]).is_positive() {
+            return None;
+        }
+        let [low, high] = [low, high].map(|[above, below]| above / below);
+        Some([low.min(high), low.max(high)])
+    }
+
+    /// How many times the second the first is at most.
+    pub(super) fn most(&self, first: &Values, second: &Values) -> Option<Rational> {
+        self.ratio(first, second).map(|[low, high]| high.max(-low)).filter(|most| *most <= Rational::from(MOST))
     }
 }
+
+/// What is orthogonal to three rows of four.
+fn orthogonal(rows: &[[u64; 4]]) -> [u64; 4] {
+    let minor = |j: usize| {
+        let at = |row: usize, place: usize| rows[row][place + usize::from(place >= j)];
+        let pair = |place: usize, other: usize| {
+            let [x, y] = [(place, other), (other, place)].map(|(k, l)| field::multiply(at(1, k), at(2, l)));
+            field::add(x, field::negative(y))
+        };
+        let terms = [(0, 1, 2), (1, 2, 0), (2, 0, 1)].map(|(k, l, m)| field::multiply(at(0, k), pair(l, m)));
+        terms.into_iter().fold(0, field::add)
+    };
+    std::array::from_fn(|j| if j % 2 == 0 { minor(j) } else { field::negative(minor(j)) })
+}
+
+/// A larger ratio than this serves nobody.
+const MOST: i128 = 1000;
 
 /// What is known of the sign of a number.
 #[derive(Clone, Copy, Default, PartialEq)]
@@ -92,12 +160,12 @@ pub(super) struct Signs {
     signs: BTreeMap<Node, Sign>,
     /// The sums in which nothing cancels.
     adding: BTreeSet<Node>,
-    pub(super) compared: Vec<Compared>,
+    pub(super) bounded: Vec<Bounded>,
 }
 
 impl Signs {
     pub(super) fn of(way: &Way, bounds: &[[Option<f64>; 2]], order: &Order, values: &BTreeMap<Node, Values>) -> Self {
-        let mut all = Self { signs: BTreeMap::new(), adding: BTreeSet::new(), compared: Vec::new() };
+        let mut all = Self { signs: BTreeMap::new(), adding: BTreeSet::new(), bounded: Vec::new() };
         let mut said: BTreeMap<Node, Sign> = BTreeMap::new();
         // What is learned from one round serves the next.
         for _ in 0..4 {
@@ -105,23 +173,24 @@ impl Signs {
                 let sign = all.sign(way, bounds, order, node).or(said.get(&node).copied().unwrap_or_default());
                 all.signs.insert(node, sign);
             }
-            all.compared.clear();
+            all.bounded = order.bounded(way, bounds, values);
             for &[less, more, by] in &order.pairs {
                 let (low, high) = (all.signs[&less], all.signs[&more]);
                 said.entry(more).or_default().is_up |= low.is_up;
                 said.entry(less).or_default().is_down |= high.is_down;
                 let sizes = [(low.is_up, less, more), (high.is_down, more, less)];
                 for (_, smaller, larger) in sizes.into_iter().filter(|(is, ..)| *is) {
-                    let [smaller, larger] = [smaller, larger].map(|node| values[&without_sign(way, node)]);
-                    if larger != [0; POINTS] && smaller != [0; POINTS] {
-                        all.compared.push(Compared { smaller, larger, by });
-                    }
+                    all.bounded.extend(all.by_comparison(
+                        values,
+                        [smaller, larger].map(|node| without_sign(way, node)),
+                        by,
+                    ));
                 }
             }
             for &node in &order.nodes {
-                said.entry(node).or_insert_with(Sign::default);
-                let learned = all.by_size(way, node, values);
-                said.entry(node).and_modify(|sign| *sign = sign.or(learned));
+                let learned = all.by_ratio(way, node, values);
+                let sign = said.entry(node).or_default();
+                *sign = sign.or(learned);
             }
         }
         for &node in &order.nodes {
@@ -187,16 +256,33 @@ impl Signs {
         }
     }
 
-    /// A sum that is at least as large as one of its two terms has the sign of the other one.
-    fn by_size(&self, way: &Way, node: Node, values: &BTreeMap<Node, Values>) -> Sign {
-        let (Some(terms), Op::Binary(..)) = (self.terms(way, node), way.graph.op(node)) else { return Sign::default() };
-        let operands = way.operands(node).unwrap_or_default();
-        let is_as_large_as = |place: usize| {
-            let at_most = |compared: &Compared| compared.ratio(&values[&operands[place]], &values[&node]);
-            self.compared.iter().any(|compared| at_most(compared) == Some(Rational::from(1)))
+    /// The ratio of a number to a larger one.
+    fn by_comparison(&self, values: &BTreeMap<Node, Values>, numbers: [Node; 2], by: Node) -> Option<Bounded> {
+        let [smaller, larger] = numbers.map(|node| values[&node]);
+        let is_ratio = !larger.contains(&0) && smaller != [0; POINTS];
+        let [x, y] = numbers.map(|node| self.signs[&node]);
+        let sign = x.times(y);
+        let [low, high] =
+            [(sign.is_up, -1), (sign.is_down, 1)].map(|(is_none, end)| Rational::from(if is_none { 0 } else { end }));
+        let value = product(&smaller, &inverse(&larger));
+        is_ratio.then_some(Bounded { value, low: Some(low), high: Some(high), by })
+    }
+
+    /// A sum whose ratio to one of its two terms has a sign that is known.
+    fn by_ratio(&self, way: &Way, node: Node, values: &BTreeMap<Node, Values>) -> Sign {
+        let (Some(terms), Op::Binary(operation, ..)) = (self.terms(way, node), way.graph.op(node)) else {
+            return Sign::default();
         };
-        let of = |place: usize| if is_as_large_as(place) { terms[1 - place] } else { Sign::default() };
-        of(0).or(of(1))
+        let operands = way.operands(node).unwrap_or_default();
+        let of = |place: usize| {
+            let value = values[&operands[place]];
+            let term = if place == 1 && *operation == Binary::Subtract { negative(&value) } else { value };
+            let ratios = self.bounded.iter().filter_map(|bounded| bounded.ratio(&values[&node], &term));
+            ratios.fold(Sign::default(), |sign, [low, high]| {
+                sign.or(Sign { is_up: !low.is_negative(), is_down: !high.is_positive() }.times(terms[place]))
+            })
+        };
+        if terms == [Sign::default(); 2] { Sign::default() } else { of(0).or(of(1)) }
     }
 
     /// Whether the error is of the first order up to a factor of 1 + O(u): if no factor but one of any product, no divisor and no
