@@ -80,20 +80,36 @@ class Way:
         self.nodes = self.needed([self.resolved(n) for n in results] + [x for pair in self.less for x in pair[:2]])
         points = [self.point(k) for k in range(POINTS)]
         self.value, self.slopes = ({n: [point[of][n] for point in points] for n in self.nodes} for of in (0, 1))
-        self.sign, self.sizes, said = {}, [], defaultdict(int)
+        self.sign, said = {}, defaultdict(int)
         for _ in range(4):
             for n in self.nodes:
                 self.sign[n] = self.sign_of(n) | said[n]
-            self.sizes = []
+            self.bounded = self.ends()
             for x, y, by in self.less:
                 said[y] |= self.sign[x] & 1
                 said[x] |= self.sign[y] & 2
-                u, v = (self.value[self.bare(n)] for n in (x, y))
-                self.sizes += [(u, v, by)] * (self.sign[x] & 1) + [(v, u, by)] * (self.sign[y] >> 1)
+                pairs = [(x, y)] * (self.sign[x] & 1) + [(y, x)] * (self.sign[y] >> 1)
+                for x, y in [tuple(map(self.bare, pair)) for pair in pairs]:
+                    if all(self.value[y]):
+                        sign = product(self.sign[x], self.sign[y])
+                        z = times(self.value[x], [inverse(v) for v in self.value[y]])
+                        self.bounded.append((z, Fraction((sign & 1) - 1), Fraction(1 - sign // 2), by))
             for n in self.nodes:
-                for j, other in enumerate(reversed(self.terms(n))):
-                    if any(ratio(self.value[self.operands(n)[j]], self.value[n], size) == 1 for size in self.sizes):
-                        said[n] |= other
+                for k, sign in enumerate(self.terms(n)):
+                    term = times(self.value[self.operands(n)[k]], [-1 if k and self.ops[n][0] == "subtract" else 1] * POINTS)
+                    for ratio in (between(self.value[n], term, it) for it in self.bounded if sign):
+                        said[n] |= product(sign, (ratio[0] >= 0) | 2 * (ratio[1] <= 0)) if ratio else 0
+
+    def ends(self) -> list[tuple]:
+        """The numbers that domains, and comparisons with constants, bound by others than 0: values, both ends, and which it is."""
+        low, high = ({n: Fraction(x) for n in self.nodes if self.ops[n][0] == "input" and (x := self.ops[n][k]) is not None} for k in (2, 3))
+        for x, y, _ in self.less:
+            if self.exact[x] is not None:
+                low[y] = max(self.exact[x], low.get(y, self.exact[x]))
+            if self.exact[y] is not None:
+                high[x] = min(self.exact[y], high.get(x, self.exact[y]))
+        some = [n for n in self.nodes if (low.get(n) or high.get(n)) and self.exact[n] is None]
+        return [(self.value[n], low.get(n), high.get(n), n) for n in some]
 
     def resolved(self, node: int) -> int:
         while (name := self.ops[node][0]) in ("select", "maximum"):
@@ -199,7 +215,7 @@ class Way:
         if name in ("norm", "absolute", "root", "exponential", "power of two") or name == "multiply" and len(set(self.operands(n))) == 1:
             return 1
         if name in ("multiply", "divide"):
-            return bool(s[0] & s[1]) | 2 * bool(TURNED[s[0]] & s[1])
+            return product(*s)
         if name in ("add", "subtract"):
             a, b = self.operands(n)
             order = {(x, y) for x, y, _ in self.less} if name == "subtract" else ()
@@ -211,14 +227,30 @@ def times(x: list, y: list) -> tuple:
     return tuple(a * b % PRIME for a, b in zip(x, y))
 
 
-def ratio(x: list, y: list, size: tuple) -> int | None:
-    """How many times y the number x is at most: their ratio is that of u and v, or of u ± v and v, where |u| ≤ |v|."""
-    u, v, _ = size
-    left = times(x, v)
-    for most, number in ((1, u), (2, [a + b for a, b in zip(u, v)]), (2, [a - b for a, b in zip(u, v)])):
-        if left in (times(y, number), times(y, [-a for a in number])) and any(left):
-            return most
-    return None
+def product(x: int, y: int) -> int:
+    """The sign of a product."""
+    return bool(x & y) | 2 * bool(TURNED[x] & y)
+
+
+def between(x: list, y: list, bounded: tuple) -> tuple | None:
+    """The bounds of x/y if it is (a + b z) / (c + d z), with small fractions, for a number z within bounds."""
+    z, low, high, _ = bounded
+    rows = [(q, t * q, -p, -t * p) for p, q, t in zip(x, y, z)]
+    found = []
+    for j in range(4):
+        (a, b, c), (d, e, f), (g, h, i) = ([row[m] for m in range(4) if m != j] for row in rows[:3])
+        found.append((-1) ** j * (a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g)) % PRIME)
+    if any(sum(map(int.__mul__, row, found)) % PRIME for row in rows) or not (unit := found[2] or found[3]):
+        return None
+    if None in (small := [fraction(x * inverse(unit) % PRIME) for x in found]):
+        return None
+    ends = []
+    for end, infinity in ((low, -1), (high, 1)):
+        k, l = (u + v * end if end is not None else v * infinity if small[1] or small[3] else u for u, v in (small[:2], small[2:]))
+        ends.append((k, l))
+    if ends[0][1] * ends[1][1] <= 0:
+        return None
+    return tuple(sorted(Fraction(k) / l for k, l in ends))
 
 
 class Parts:
@@ -287,9 +319,10 @@ class Parts:
                 left, right = sum(terms[1:], []), terms[0]
             else:
                 _, k, other, by = places
-                most = [ratio(parts[k], parts[other], size) for size in way.sizes if size[2] == by]
-                demand(rule == "order" and any(most), f"the comparison {by} says nothing of {n}")
-                left, right = terms[k], [(min(filter(None, most)) * f, atom) for f, atom in terms[other]]
+                ratios = [between(parts[k], parts[other], it) for it in self.way.bounded if it[3] == by]
+                most = [max(high, -low) for low, high in filter(None, ratios)]
+                demand(rule == "range" and most, f"the bounds of {by} say nothing of {n}")
+                left, right = terms[k], [(min(most) * f, atom) for f, atom in terms[other]]
         for factor, atom in left:
             self.left[atom] -= abs(factor) * amount
         for factor, atom in right:

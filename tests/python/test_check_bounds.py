@@ -97,10 +97,20 @@ class Planted(unittest.TestCase):
         ops = [["input", 0, 0.0, None], ["input", 1, 0.0, None], ["less", 0, 1], ["add", 0, 1], ["divide", 0, 3], number(1.0),
                ["subtract", 5, 4], ["select", 2, 6, 4]]  # fmt: skip
         other = {"way": [[2, False]], "bound": "2", "steps": []}
-        way = {"way": [[2, True]], "bound": "3", "steps": [["order", 6, 0, 2, 0, 2, "2"]]}
+        way = {"way": [[2, True]], "bound": "3", "steps": [["range", 6, 0, 2, 0, 2, "2"]]}
         self.assertEqual(outcome(ops, way, other), "")
-        self.assertIn("says nothing", outcome(ops, {**way, "steps": [["order", 6, 0, 0, 2, 2, "2"]]}, other))
-        self.assertIn("says nothing", outcome(ops, other | {"steps": [["order", 3, 0, 2, 1, 2, "2"]]}, way))
+        # Not the other way round, and nothing where the comparison says the opposite.
+        self.assertIn("say nothing", outcome(ops, {**way, "steps": [["range", 6, 0, 0, 2, 3, "2"]]}, other))
+        self.assertIn("left", outcome(ops, {**way, "steps": []}, other))
+        more = {"way": [[2, False]], "bound": "2", "steps": [["range", 3, 0, 1, 2, 2, "1"]]}
+        self.assertIn("say nothing", outcome(ops, way, more))
+
+    def test_an_input_within_bounds_bounds_a_ratio(self):
+        # x (g + 1/2) where g is from -1/4 to 1/4, computed as x g + x / 2; then x g is no larger than the result.
+        ops = [real(0), ["input", 1, -0.25, 0.25], ["multiply", 0, 1], number(0.5), ["multiply", 0, 3], ["add", 2, 4]]
+        self.assertEqual(outcome(ops, {"bound": "1", "steps": [["range", 5, 0, 1, 0, 1, "1"]]}), "")
+        wider = [real(0), ["input", 1, -0.5, 0.25], *ops[2:]]
+        self.assertIn("say nothing", outcome(wider, {"bound": "1", "steps": [["range", 5, 0, 1, 0, 1, "1"]]}))
 
 
 @unittest.skipUnless(GRAPHS.is_dir(), "no graphs: cargo xtask prove --graphs target/graphs")
