@@ -1,12 +1,12 @@
 //! Certificates: found with the help of a linear programme, checked without.
 
 use super::field::{Rational, to_f64};
-use super::parts::{Atom, Obstacle, Parts, Rule, obstacle};
+use super::parts::{Atom, Obstacle, Parts, Place, Rule, obstacle};
 use super::way::{Answers, MOST_WAYS, Way, are_all, ways};
 use crate::formula::Field;
 use crate::toolkit::graph::{Graph, Node, bounds};
 use num_traits::{CheckedAdd, CheckedDiv, CheckedMul, Signed, Zero};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Amounts are rounded to fractions that are as near.
 const NEAR: f64 = 1e-7;
@@ -61,7 +61,7 @@ fn prove_on(
     answers: Answers,
     solve: &impl Fn(&Programme) -> Option<Vec<f64>>,
 ) -> Result<Certificate, String> {
-    let parts = parts(graph, inputs, result, &answers)?;
+    let parts = parts(graph, inputs, result, &answers, None)?;
     if let Some(obstacle) = obstacle(&parts) {
         return Err(said(graph, &obstacle));
     }
@@ -90,7 +90,8 @@ pub fn check(graph: &Graph, inputs: &[Field], result: Node, certificates: &[Cert
         if certificate.way.keys().any(|node| node.index() >= graph.ops().len()) {
             return Err("its way names an operation that is not there".into());
         }
-        let parts = parts(graph, inputs, result, &certificate.way)?;
+        let wanted = certificate.steps.iter().map(|(rule, _)| rule.place()).collect();
+        let parts = parts(graph, inputs, result, &certificate.way, Some(&wanted))?;
         let needed = added_up(&parts, &certificate.steps)?;
         if needed > certificate.bound {
             return Err(format!("its steps prove {needed}, not {}", certificate.bound));
@@ -102,11 +103,17 @@ pub fn check(graph: &Graph, inputs: &[Field], result: Node, certificates: &[Cert
     Ok(())
 }
 
-fn parts(graph: &Graph, inputs: &[Field], result: Node, answers: &Answers) -> Result<Parts, String> {
+fn parts(
+    graph: &Graph,
+    inputs: &[Field],
+    result: Node,
+    answers: &Answers,
+    wanted: Option<&BTreeSet<Place>>,
+) -> Result<Parts, String> {
     let bounds: Vec<_> = inputs.iter().flat_map(|field| vec![bounds(field.quantity.domain); field.len()]).collect();
     let way = Way::new(graph, answers, result)
         .map_err(|open| format!("the way does not say how comparison {} comes out", open.index()))?;
-    Parts::new(&way, &bounds).map_err(|obstacle| said(graph, &obstacle))
+    Parts::new(&way, &bounds, wanted).map_err(|obstacle| said(graph, &obstacle))
 }
 
 /// The obstacle in words.

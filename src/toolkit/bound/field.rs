@@ -47,15 +47,20 @@ fn power(mut x: u64, mut exponent: u64) -> u64 {
 
 /// 1/x; `None` for 0.
 pub(super) fn inverse(x: u64) -> Option<u64> {
-    // Euclid's algorithm, in which `old` is always a multiple of x.
-    let (mut remainder, mut next) = (i128::from(PRIME), i128::from(x));
-    let (mut old, mut new) = (0_i128, 1_i128);
-    while next != 0 {
+    let (one, inverse) = divided(x, 2);
+    (one == 1).then(|| of_integer(inverse.into()))
+}
+
+/// A number r below a limit and a number s with r = s x, by Euclid's algorithm.
+fn divided(x: u64, limit: u64) -> (i64, i64) {
+    let [prime, x, limit] = [PRIME, x, limit].map(u64::cast_signed);
+    let (mut remainder, mut next, mut old, mut new) = (prime, x, 0, 1);
+    while next >= limit {
         let quotient = remainder / next;
         (remainder, next) = (next, remainder - quotient * next);
         (old, new) = (new, old - quotient * new);
     }
-    (remainder == 1).then(|| of_integer(old))
+    (next, new)
 }
 
 /// A root, if there is one.
@@ -74,14 +79,9 @@ pub(super) fn of_rational(x: Rational) -> Option<u64> {
 
 /// The fraction of small numbers that this is, if it is one.
 pub(super) fn to_rational(x: u64) -> Option<Rational> {
-    let (mut remainder, mut next) = (i128::from(PRIME), i128::from(x));
-    let (mut old, mut new) = (0_i128, 1_i128);
-    while next >= i128::from(SMALL) {
-        let quotient = remainder / next;
-        (remainder, next) = (next, remainder - quotient * next);
-        (old, new) = (new, old - quotient * new);
-    }
-    (new != 0 && new.unsigned_abs() < u128::from(SMALL)).then(|| Rational::new(next, new))
+    let (numerator, denominator) = divided(x, SMALL);
+    (denominator != 0 && denominator.unsigned_abs() < SMALL)
+        .then(|| Rational::new(numerator.into(), denominator.into()))
 }
 
 /// The nearest double, or one next to it.

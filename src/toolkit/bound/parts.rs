@@ -49,6 +49,19 @@ pub enum Rule {
     Range(Node, Option<usize>, usize, usize, Node),
 }
 
+/// An operation, and which derivative its parts have; none for those of its uses.
+pub(super) type Place = (Node, Option<usize>);
+
+impl Rule {
+    pub(super) fn place(self) -> Place {
+        match self {
+            Self::Uses(node, _) | Self::Angle(node) => (node, None),
+            Self::Sum(node, form, _) | Self::Parts(node, form) => (node, Some(form)),
+            Self::Range(node, form, ..) => (node, form),
+        }
+    }
+}
+
 /// The left parts together are at most the right ones together.
 #[derive(Clone, Debug)]
 pub(super) struct Inequality {
@@ -72,11 +85,17 @@ pub(super) struct Parts {
 }
 
 impl Parts {
-    pub(super) fn new(way: &Way, bounds: &[[Option<f64>; 2]]) -> Result<Self, Obstacle> {
+    /// All parts, and the rules of these places, or all rules.
+    pub(super) fn new(
+        way: &Way,
+        bounds: &[[Option<f64>; 2]],
+        wanted: Option<&BTreeSet<Place>>,
+    ) -> Result<Self, Obstacle> {
         let order = Order::of(way);
         let values = values(way, &order.nodes)?;
         let signs = Signs::of(way, bounds, &order, &values);
-        let mut build = Build { way, values: &values, signs: &signs, parts: Self::default(), uses: BTreeMap::new() };
+        let mut build =
+            Build { way, values: &values, signs: &signs, wanted, parts: Self::default(), uses: BTreeMap::new() };
         build.all()?;
         let mut parts = build.parts;
         parts.is_first_order = signs.is_first_order(way);
@@ -121,16 +140,31 @@ pub(super) fn inverse(x: &Values) -> Values {
     x.map(|x| field::inverse(x).unwrap_or(0))
 }
 
+/// An operation, its operands by position, and its value if it is an exact constant.
+struct Step<'a> {
+    node: Node,
+    op: &'a Op,
+    operands: Vec<usize>,
+    constant: Option<u64>,
+}
+
 /// The numbers of a way, and those that its comparisons compare, at all points.
 fn values(way: &Way, nodes: &[Node]) -> Result<BTreeMap<Node, Values>, Obstacle> {
     let mut values: BTreeMap<Node, Values> = nodes.iter().map(|&node| (node, [0; POINTS])).collect();
+    let places: BTreeMap<Node, usize> = nodes.iter().enumerate().map(|(place, &node)| (node, place)).collect();
+    let operands = |node: Node| way.operands(node).unwrap_or_default().iter().map(|operand| places[operand]).collect();
+    let constant = |node: Node| way.exact(node).and_then(field::of_rational);
+    let steps: Vec<_> = nodes
+        .iter()
+        .map(|&node| Step { node, op: way.graph.op(node), operands: operands(node), constant: constant(node) })
+        .collect();
     let mut not_squares = BTreeSet::new();
     for point in 0..POINTS as u64 {
-        let mut trials = (0..TRIALS).map(|trial| at_point(way, nodes, point * TRIALS + trial, &mut not_squares));
+        let mut trials = (0..TRIALS).map(|trial| at_point(&steps, point * TRIALS + trial, &mut not_squares));
         let found = trials.find_map(|found| found).ok_or(Obstacle::Roots)?;
-        found.into_iter().for_each(|(node, value)| {
-            values.entry(node).and_modify(|values| values[usize::try_from(point).unwrap_or(0)] = value);
-        });
+        for (values, value) in values.values_mut().zip(found) {
+            values[usize::try_from(point).unwrap_or(0)] = value;
+        }
     }
     // The root of a square is a magnitude, whose sign the root in the field does not have. Of others every second root does not exist.
     let mut more = POINTS as u64 * TRIALS..(POINTS as u64 + 1) * TRIALS;
@@ -139,19 +173,18 @@ fn values(way: &Way, nodes: &[Node]) -> Result<BTreeMap<Node, Values>, Obstacle>
         let is_no_square = |of: &BTreeSet<Node>| of.contains(root);
         while !is_no_square(&not_squares) {
             let point = more.next().ok_or(Obstacle::Roots)?;
-            at_point(way, nodes, point, &mut not_squares);
+            at_point(&steps, point, &mut not_squares);
         }
     }
     Ok(values)
 }
 
 /// The numbers at one point; `None` where a root or a quotient does not exist. Roots that do not are noted.
-fn at_point(way: &Way, nodes: &[Node], point: u64, not_squares: &mut BTreeSet<Node>) -> Option<FxHashMap<Node, u64>> {
-    let (mut values, mut is_point) = (FxHashMap::default(), true);
-    for &node in nodes {
+fn at_point(steps: &[Step], point: u64, not_squares: &mut BTreeSet<Node>) -> Option<Vec<u64>> {
+    let (mut values, mut is_point): (Vec<u64>, _) = (Vec::with_capacity(steps.len()), true);
+    for &Step { node, op, ref operands, constant } in steps {
         let symbol = || field::random([point, node.index() as u64, 0]);
-        let operands = way.operands(node).ok()?;
-        let x: Vec<u64> = operands.iter().map(|operand| values[operand]).collect();
+        let x: Vec<u64> = operands.iter().map(|&operand| values[operand]).collect();
         let products = |x: &[u64]| x.iter().copied().reduce(field::multiply).unwrap_or(1);
         let mut root = |square: u64| {
             let is_other = field::random([point, node.index() as u64, 1]) & 1 == 1;
@@ -162,8 +195,8 @@ fn at_point(way: &Way, nodes: &[Node], point: u64, not_squares: &mut BTreeSet<No
                 symbol()
             })
         };
-        let value = match way.graph.op(node) {
-            Op::Number(_) => way.exact(node).and_then(field::of_rational).unwrap_or_else(symbol),
+        let value = match op {
+            Op::Number(_) => constant.unwrap_or_else(symbol),
             Op::Unary(Unary::Negative, _) => field::negative(x[0]),
             // The sign is as unknown as a number.
             Op::Unary(Unary::Absolute, _) => field::multiply(x[0], symbol()),
@@ -177,7 +210,7 @@ fn at_point(way: &Way, nodes: &[Node], point: u64, not_squares: &mut BTreeSet<No
             Op::Norm(_) => root(x.iter().map(|&x| field::multiply(x, x)).fold(0, field::add)),
             _ => symbol(),
         };
-        values.insert(node, value);
+        values.push(value);
     }
     is_point.then_some(values)
 }
@@ -186,6 +219,7 @@ struct Build<'a> {
     way: &'a Way<'a>,
     values: &'a BTreeMap<Node, Values>,
     signs: &'a Signs,
+    wanted: Option<&'a BTreeSet<Place>>,
     parts: Parts,
     /// The derivatives of the result with respect to a number, one for each use.
     uses: BTreeMap<Node, Vec<Values>>,
@@ -200,9 +234,11 @@ impl Build<'_> {
             let value = self.values[&node];
             let whole = self.part(&value, &total);
             let mut forms = vec![total];
-            if uses.len() > 1 {
+            if uses.len() > 1 && self.wants(node, None) {
                 let parts: Vec<_> = uses.iter().map(|by| product(&value, by)).collect();
                 self.equation(node, None, &product(&value, &total), &parts);
+            }
+            if uses.len() > 1 {
                 forms.extend(uses);
             }
             if let Some((factor, atom)) = whole {
@@ -307,6 +343,9 @@ impl Build<'_> {
             }
         }
         for (form, by) in forms.iter().enumerate() {
+            if !self.wants(node, Some(form)) {
+                continue;
+            }
             let parts: Vec<_> = terms.iter().map(|term| product(term, by)).collect();
             let whole = product(&value, by);
             self.equation(node, Some(form), &whole, &parts);
@@ -321,6 +360,10 @@ impl Build<'_> {
                 self.parts.rules.insert(Rule::Parts(node, form), inequality(left, vec![whole]));
             }
         }
+    }
+
+    fn wants(&self, node: Node, form: Option<usize>) -> bool {
+        self.wanted.is_none_or(|places| places.contains(&(node, form)))
     }
 
     fn hand_on(&mut self, to: Node, by: Values) {

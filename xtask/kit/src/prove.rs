@@ -231,3 +231,99 @@ fn solve(programme: &Programme) -> Option<Vec<f64>> {
     let SolveOutcome::Solution(solution) = problem.solve().ok()? else { return None };
     Some(amounts.into_iter().map(|amount| solution[amount]).collect())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use jointproof::catalog;
+    use jointproof::toolkit::bound::{Rational, Rule, check};
+
+    fn proved(id: &str) -> (&'static dyn AnyFormula, Graph, Proof) {
+        let formula = catalog::find(id).unwrap();
+        let graph = formula.graph().unwrap();
+        let proof = Proof::of(&graph, formula.inputs(), solve);
+        (formula, graph, proof)
+    }
+
+    /// Each of these was found by hand, or by another program, to be the least.
+    #[test]
+    fn bounds_are_the_least_that_the_rules_give() {
+        let halves = |halves: i128| Rational::new(halves, 2);
+        let known = [
+            ("join.nodal_forces", [Some(halves(5)), None]),
+            ("slot.contact_force", [Some(halves(2)), Some(halves(6))]),
+            ("slot.friction", [Some(Rational::new(5, 3)), Some(halves(6))]),
+            ("interaction.damping", [Some(halves(4)), Some(Rational::new(8, 3))]),
+            ("slider.eliminate_2d", [Some(halves(5)), Some(halves(7))]),
+        ];
+        for (id, bounds) in known {
+            let (_, graph, proof) = proved(id);
+            let both = [proof.summary(&graph.value), proof.summary(&graph.jacobian)];
+            let found = both.map(|of| (of.entries > 0 && of.open.is_empty()).then_some(of.bound));
+            assert_eq!(found, bounds, "{id}");
+        }
+    }
+
+    /// Reading gives what was written, and nothing about another graph.
+    #[test]
+    fn a_file_is_read_as_it_was_written_and_belongs_to_one_graph() {
+        let (formula, graph, proof) = proved("slide_line.parabolic_point");
+        let text = proof.render("slide_line.parabolic_point", &digest(formula, &graph));
+        let again = read(&text, formula, &graph).unwrap();
+        assert_eq!(
+            (
+                again.render("slide_line.parabolic_point", &digest(formula, &graph)),
+                again.check(&graph, formula.inputs())
+            ),
+            (text.clone(), Ok(()))
+        );
+        let other = catalog::find("slot.friction").unwrap();
+        let refused = read(&text, other, &other.graph().unwrap()).unwrap_err();
+        assert!(refused.starts_with("line 1: it is about another graph"), "{refused}");
+        let half: String = text.lines().take(2).map(|line| line.to_owned() + "\n").collect();
+        let refused = read(&half, formula, &graph).unwrap().check(&graph, formula.inputs()).unwrap_err();
+        assert!(refused.starts_with("nothing is said of result"), "{refused}");
+    }
+
+    /// Whatever is changed in a certificate is refused, or the bound still holds.
+    #[test]
+    fn tampered_certificates_are_refused_or_harmless() {
+        let (mut refused, mut harmless) = (0, 0);
+        for id in [
+            "slot.friction",
+            "coulomb.return_map_2d",
+            "join.nodal_forces",
+            "slider.eliminate_2d",
+            "slide_line.parabolic_point",
+        ] {
+            let (formula, graph, proof) = proved(id);
+            for (&node, certificates) in &proof.results {
+                let certificates = certificates.as_ref().unwrap();
+                let holds = |certificates: &[_]| check(&graph, formula.inputs(), node, certificates);
+                assert_eq!(holds(certificates), Ok(()), "{id}");
+                assert!(holds(&certificates[1..]).is_err(), "{id}: a way without a certificate");
+                for k in 0..certificates.len() {
+                    let with = |change: &dyn Fn(&mut jointproof::toolkit::bound::Certificate)| {
+                        let mut tampered = certificates.clone();
+                        change(&mut tampered[k]);
+                        holds(&tampered)
+                    };
+                    let lower = with(&|of| of.bound -= Rational::new(1, 1000));
+                    assert!(lower.is_err(), "{id}: a bound that is lower");
+                    let way = with(&|of| of.way.values_mut().for_each(|answer| *answer = !*answer));
+                    assert!(way.is_err() || certificates[k].way.is_empty(), "{id}: another way");
+                    for step in 0..certificates[k].steps.len() {
+                        let negative = with(&|of| of.steps[step].1 = -of.steps[step].1);
+                        assert!(negative.is_err(), "{id}: a negative amount");
+                        let other = with(&|of| of.steps[step].0 = Rule::Angle(node));
+                        assert!(other.is_err(), "{id}: a rule that is not there");
+                        for verdict in [with(&|of| drop(of.steps.remove(step))), with(&|of| of.steps[step].1 /= 2)] {
+                            if verdict.is_err() { refused += 1 } else { harmless += 1 }
+                        }
+                    }
+                }
+            }
+        }
+        assert!(refused > 200 && harmless * 20 < refused, "{refused} refused, {harmless} harmless");
+    }
+}
