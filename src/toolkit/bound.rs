@@ -11,7 +11,8 @@
 //! one needs only sums of fractions. Parts that are the same up to a factor, whatever the inputs are, count as one: this is tested modulo
 //! a prime, at points where numbers look random.
 //!
-//! A proof is about the recorded graph. It knows nothing of under- and overflow, and believes what is said of library functions.
+//! A proof is about the recorded graph. It knows nothing of under- and overflow, believes what is said of library functions, and takes
+//! comparisons of rounded numbers for those of exact ones: nearer to a kink than a rounding, a result may be that of the other side.
 
 mod certificate;
 mod exact;

@@ -188,3 +188,97 @@ fn fraction(x: f64) -> Rational {
         rest = rest.fract().recip();
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::formula::quantity::{F1, F2};
+    use crate::toolkit::graph::{Binary, Op, Relation};
+
+    const INPUTS: [Field; 2] = [Field::new("f1", &F1), Field::new("f2", &F2)];
+
+    /// A graph with two inputs.
+    fn graph() -> (Graph, [Node; 2]) {
+        let mut graph = Graph::default();
+        let inputs = [0, 1].map(|k| graph.enter(Op::Input(k)));
+        (graph, inputs)
+    }
+
+    /// The bound that no steps prove, on the only way.
+    fn without_steps(graph: &Graph, result: Node) -> Result<Rational, String> {
+        added_up(&parts(graph, &INPUTS, result, &Answers::new(), None)?, &[])
+    }
+
+    fn certificate(way: &[(Node, bool)], bound: i128, steps: Vec<(Rule, Rational)>) -> Certificate {
+        Certificate { way: way.iter().copied().collect(), bound: bound.into(), is_first_order: true, steps }
+    }
+
+    /// The rounding of a sum is taken back by the rest that is added to it; what is left is that of the last sum, and on the first input
+    /// that of a difference.
+    #[test]
+    fn a_number_that_is_always_zero_hands_derivatives_on() {
+        let (mut graph, [a, b]) = graph();
+        let sum = graph.binary(Binary::Add, a, b);
+        let of_b = graph.binary(Binary::Subtract, sum, a);
+        let of_a = graph.binary(Binary::Subtract, sum, of_b);
+        let [rest_a, rest_b] = [(a, of_a), (b, of_b)].map(|(x, y)| graph.binary(Binary::Subtract, x, y));
+        let rest = graph.binary(Binary::Add, rest_a, rest_b);
+        let result = graph.binary(Binary::Add, sum, rest);
+        assert_eq!(without_steps(&graph, result), Ok(1.into()));
+    }
+
+    /// A double of many digits stands for a number without end, and so does its third.
+    #[test]
+    fn constants_made_of_inexact_ones_are_inexact() {
+        let (mut graph, [a, _]) = graph();
+        let [pi, three, six, half] = [std::f64::consts::PI, 3.0, 6.0, 0.5].map(|x| graph.number(x));
+        let bound = |graph: &mut Graph, constant: Node| {
+            let result = graph.binary(Binary::Multiply, a, constant);
+            without_steps(graph, result)
+        };
+        let third = graph.quotient(pi, three);
+        let [two, sixth] = [graph.quotient(six, three), graph.quotient(three, six)];
+        let seventh = graph.quotient(half, three);
+        let bounds = [pi, third, two, sixth, seventh, three, half].map(|constant| bound(&mut graph, constant));
+        let halves = [2, 3, 1, 1, 2, 1, 0].map(|halves| Ok(Rational::new(halves, 2)));
+        assert_eq!(bounds, halves);
+    }
+
+    #[test]
+    fn nothing_is_discharged_on_constants_and_what_cancels_is_not_bounded() {
+        let (mut graph, [a, b]) = graph();
+        let tenth = graph.number(0.1);
+        let sum = graph.binary(Binary::Add, a, tenth);
+        let steps = vec![(Rule::Sum(sum, 0, 2), Rational::from(1))];
+        assert!(without_steps(&graph, sum).is_err_and(|why| why.contains("none of inputs and result")));
+        assert_eq!(check(&graph, &INPUTS, sum, &[certificate(&[], 2, steps)]), Ok(()));
+        let longer = graph.binary(Binary::Add, a, b);
+        let back = graph.binary(Binary::Subtract, longer, b);
+        let why = prove(&graph, &INPUTS, back, |_| None).unwrap_err();
+        assert_eq!(why, format!("no rule bounds the rounding of operation {}, add", longer.index()));
+    }
+
+    #[test]
+    fn every_way_needs_a_certificate() {
+        let (mut graph, [a, b]) = graph();
+        let less = graph.enter(Op::Compare(Relation::Less, a, b));
+        let [sum, difference] = [Binary::Add, Binary::Subtract].map(|operation| graph.binary(operation, a, b));
+        let result = graph.enter(Op::Select(less, sum, difference));
+        let ways = [true, false].map(|answer| certificate(&[(less, answer)], 1, Vec::new()));
+        let checked = |certificates: &[Certificate]| check(&graph, &INPUTS, result, certificates);
+        assert_eq!(checked(&ways), Ok(()));
+        for some in [&ways[..1], &ways[1..], &[]] {
+            assert_eq!(checked(some), Err("there is a way without a certificate".into()));
+        }
+        let [open, unknown] = [vec![], vec![(Node::at(99), true)]].map(|way| certificate(&way, 1, Vec::new()));
+        assert_eq!(checked(&[open]), Err(format!("the way does not say how comparison {} comes out", less.index())));
+        assert!(checked(&[unknown.clone(), Certificate { way: [(Node::at(99), false)].into(), ..unknown }]).is_err());
+    }
+
+    #[test]
+    fn an_amount_is_the_simplest_fraction_near_it() {
+        let fractions = [0.0, 2.0, 1.0 / 3.0, 0.666_666_67, 17.0 / 113.0, 1e-9];
+        let simplest = [(0, 1), (2, 1), (1, 3), (2, 3), (17, 113), (0, 1)];
+        assert_eq!(fractions.map(fraction), simplest.map(|(above, below)| Rational::new(above, below)));
+    }
+}

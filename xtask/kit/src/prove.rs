@@ -254,7 +254,7 @@ mod tests {
             ("slot.contact_force", [Some(halves(2)), Some(halves(6))]),
             ("slot.friction", [Some(Rational::new(5, 3)), Some(halves(6))]),
             ("interaction.damping", [Some(halves(4)), Some(Rational::new(8, 3))]),
-            ("slider.eliminate_2d", [Some(halves(5)), Some(halves(7))]),
+            ("slider.eliminate_2d", [Some(halves(5)), Some(Rational::new(7, 3))]),
         ];
         for (id, bounds) in known {
             let (_, graph, proof) = proved(id);
