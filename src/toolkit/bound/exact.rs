@@ -60,9 +60,8 @@ impl Way<'_> {
         let halves = |halves: usize| Rational::new(i128::try_from(halves).unwrap_or(i128::MAX), 2);
         match op {
             Op::Input(_) | Op::Compare(..) | Op::Select(..) | Op::Search(..) => zero,
-            // A power of two has been written as one. Of others, the nearest double.
+            // A power of two has been written as one; of others, the nearest double.
             Op::Number(_) if self.is_power_of_two(node) => zero,
-            Op::Number(_) => halves(2),
             Op::Unary(function, _) => match function {
                 Unary::Negative | Unary::Absolute | Unary::PowerOfTwo | Unary::NearestInteger => zero,
                 Unary::Root => halves(2),
@@ -82,7 +81,7 @@ impl Way<'_> {
                 Binary::Angle => halves(8),
                 Binary::Maximum => zero,
             },
-            Op::MultiplyAdd(..) => halves(2),
+            Op::Number(_) | Op::MultiplyAdd(..) => halves(2),
             // n squares and n − 1 sums are halved by the root, which itself is rounded.
             Op::Norm(parts) => halves(parts.len() + 2),
             // Its exact sum of parts is added up with an error of at most a unit in the last place.

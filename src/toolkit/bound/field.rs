@@ -102,6 +102,26 @@ pub(super) fn random(seed: [u64; 3]) -> u64 {
     seed.into_iter().fold(0, mix) % PRIME
 }
 
+/// x y at every point.
+pub(super) fn product(x: &Values, y: &Values) -> Values {
+    std::array::from_fn(|k| multiply(x[k], y[k]))
+}
+
+/// x + y at every point.
+pub(super) fn sum(x: &Values, y: &Values) -> Values {
+    std::array::from_fn(|k| add(x[k], y[k]))
+}
+
+/// −x at every point.
+pub(super) fn opposite(x: &Values) -> Values {
+    x.map(negative)
+}
+
+/// 1/x at every point, or 0 where there is none, which makes no part.
+pub(super) fn reciprocal(x: &Values) -> Values {
+    x.map(|x| inverse(x).unwrap_or(0))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

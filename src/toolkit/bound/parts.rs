@@ -1,6 +1,6 @@
 //! The parts of a result on one way, what rounding loads them with, and the rules by which a load moves from part to part.
 
-use super::field::{self, POINTS, Rational, Values};
+use super::field::{self, POINTS, Rational, Values, opposite, product, reciprocal, sum};
 use super::sign::{Order, Signs};
 use super::way::Way;
 use crate::toolkit::graph::{Binary, Node, Op, Unary};
@@ -121,23 +121,6 @@ impl Parts {
             (Rational::one(), self.first.len() - 1)
         }))
     }
-}
-
-pub(super) fn product(x: &Values, y: &Values) -> Values {
-    std::array::from_fn(|k| field::multiply(x[k], y[k]))
-}
-
-pub(super) fn sum(x: &Values, y: &Values) -> Values {
-    std::array::from_fn(|k| field::add(x[k], y[k]))
-}
-
-pub(super) fn negative(x: &Values) -> Values {
-    x.map(field::negative)
-}
-
-/// 1/x, or 0 where there is none, which makes no part.
-pub(super) fn inverse(x: &Values) -> Values {
-    x.map(|x| field::inverse(x).unwrap_or(0))
 }
 
 /// An operation, its operands by position, and its value if it is an exact constant.
@@ -275,8 +258,8 @@ impl Build<'_> {
             Op::Unary(function, _) => {
                 let slope = match function {
                     Unary::Negative => [field::negative(1); POINTS],
-                    Unary::Absolute => product(&value, &inverse(&x[0])),
-                    Unary::Root => inverse(&sum(&value, &value)),
+                    Unary::Absolute => product(&value, &reciprocal(&x[0])),
+                    Unary::Root => reciprocal(&sum(&value, &value)),
                     Unary::Exponential => value,
                     Unary::ExponentialMinusOne => sum(&value, &[1; POINTS]),
                     Unary::PowerOfTwo | Unary::NearestInteger => return Ok(()),
@@ -289,15 +272,15 @@ impl Build<'_> {
                 self.hand_on(operands[1], product(&by, &x[0]));
             }
             Op::Binary(Binary::Divide, ..) => {
-                let slope = product(&by, &inverse(&x[1]));
+                let slope = product(&by, &reciprocal(&x[1]));
                 self.hand_on(operands[0], slope);
-                self.hand_on(operands[1], negative(&product(&slope, &value)));
+                self.hand_on(operands[1], opposite(&product(&slope, &value)));
             }
             Op::Binary(Binary::Angle, ..) => {
                 let square = sum(&product(&x[0], &x[0]), &product(&x[1], &x[1]));
-                let slope = product(&by, &inverse(&square));
+                let slope = product(&by, &reciprocal(&square));
                 self.hand_on(operands[0], product(&slope, &x[1]));
-                self.hand_on(operands[1], negative(&product(&slope, &x[0])));
+                self.hand_on(operands[1], opposite(&product(&slope, &x[0])));
                 let [whole, part] = [product(&value, &by), product(&product(&x[0], &x[1]), &slope)];
                 if let (Some(whole), Some(part)) = (self.parts.at(whole), self.parts.at(part)) {
                     self.parts.rules.insert(Rule::Angle(node), inequality(vec![part], vec![whole]));
@@ -318,7 +301,7 @@ impl Build<'_> {
         let (lengths, factor): (Vec<usize>, _) = match self.way.graph.op(node) {
             Op::MultiplyAdd(..) => (vec![2, 1], one),
             Op::ExactSum(_) => (vec![4; x.len() / 4], one),
-            Op::Norm(_) => (vec![1; x.len()], inverse(&value)),
+            Op::Norm(_) => (vec![1; x.len()], reciprocal(&value)),
             _ => (vec![1, 1], one),
         };
         let is_norm = matches!(self.way.graph.op(node), Op::Norm(_));
@@ -334,7 +317,7 @@ impl Build<'_> {
                     slope = product(&slope, &x[place]);
                 }
                 if is_difference && k == 1 {
-                    slope = negative(&slope);
+                    slope = opposite(&slope);
                 }
                 self.hand_on(operands[place], product(&forms[0], &slope));
                 if place == places.start {
@@ -374,7 +357,7 @@ impl Build<'_> {
 
     /// The rules that follow from whole = Σ parts.
     fn equation(&mut self, node: Node, form: Option<usize>, whole: &Values, parts: &[Values]) {
-        let all: Vec<Values> = std::iter::once(negative(whole)).chain(parts.iter().copied()).collect();
+        let all: Vec<Values> = std::iter::once(opposite(whole)).chain(parts.iter().copied()).collect();
         let terms: Vec<Option<Term>> = all.iter().map(|&values| self.parts.at(values)).collect();
         let mut factors: BTreeMap<Atom, Rational> = BTreeMap::new();
         terms.iter().flatten().for_each(|&(factor, atom)| *factors.entry(atom).or_default() += factor);

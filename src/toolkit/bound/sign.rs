@@ -1,8 +1,7 @@
 //! What is known of signs and sizes on a way: from domains, squares, magnitudes, and from what its comparisons say.
 
 use super::exact::rational;
-use super::field::{self, POINTS, Rational, Values};
-use super::parts::{inverse, negative, product};
+use super::field::{self, POINTS, Rational, Values, opposite, product, reciprocal};
 use super::way::Way;
 use crate::toolkit::graph::{Binary, Node, Op, Relation, Unary};
 use num_traits::{Signed, Zero};
@@ -157,7 +156,7 @@ impl Sign {
 
 /// The signs of the numbers of a way.
 pub(super) struct Signs {
-    signs: BTreeMap<Node, Sign>,
+    known: BTreeMap<Node, Sign>,
     /// The sums in which nothing cancels.
     adding: BTreeSet<Node>,
     pub(super) bounded: Vec<Bounded>,
@@ -165,17 +164,17 @@ pub(super) struct Signs {
 
 impl Signs {
     pub(super) fn of(way: &Way, bounds: &[[Option<f64>; 2]], order: &Order, values: &BTreeMap<Node, Values>) -> Self {
-        let mut all = Self { signs: BTreeMap::new(), adding: BTreeSet::new(), bounded: Vec::new() };
+        let mut all = Self { known: BTreeMap::new(), adding: BTreeSet::new(), bounded: Vec::new() };
         let mut said: BTreeMap<Node, Sign> = BTreeMap::new();
         // What is learned from one round serves the next.
         for _ in 0..4 {
             for &node in &order.nodes {
                 let sign = all.sign(way, bounds, order, node).or(said.get(&node).copied().unwrap_or_default());
-                all.signs.insert(node, sign);
+                all.known.insert(node, sign);
             }
             all.bounded = order.bounded(way, bounds, values);
             for &[less, more, by] in &order.pairs {
-                let (low, high) = (all.signs[&less], all.signs[&more]);
+                let (low, high) = (all.known[&less], all.known[&more]);
                 said.entry(more).or_default().is_up |= low.is_up;
                 said.entry(less).or_default().is_down |= high.is_down;
                 let sizes = [(low.is_up, less, more), (high.is_down, more, less)];
@@ -213,7 +212,7 @@ impl Signs {
     /// The signs of the terms of a sum of two.
     fn terms(&self, way: &Way, node: Node) -> Option<[Sign; 2]> {
         let operands = way.operands(node).ok()?;
-        let of = |place: usize| self.signs.get(&operands[place]).copied().unwrap_or_default();
+        let of = |place: usize| self.known.get(&operands[place]).copied().unwrap_or_default();
         match way.graph.op(node) {
             Op::Binary(Binary::Add, ..) => Some([of(0), of(1)]),
             Op::Binary(Binary::Subtract, ..) => Some([of(0), of(1).turned()]),
@@ -225,7 +224,7 @@ impl Signs {
     fn sign(&self, way: &Way, bounds: &[[Option<f64>; 2]], order: &Order, node: Node) -> Sign {
         let up = Sign { is_up: true, is_down: false };
         let operands = way.operands(node).unwrap_or_default();
-        let of = |place: usize| self.signs.get(&operands[place]).copied().unwrap_or_default();
+        let of = |place: usize| self.known.get(&operands[place]).copied().unwrap_or_default();
         match way.graph.op(node) {
             Op::Input(k) => {
                 let [low, high] = bounds[*k];
@@ -260,11 +259,11 @@ impl Signs {
     fn by_comparison(&self, values: &BTreeMap<Node, Values>, numbers: [Node; 2], by: Node) -> Option<Bounded> {
         let [smaller, larger] = numbers.map(|node| values[&node]);
         let is_ratio = !larger.contains(&0) && smaller != [0; POINTS];
-        let [x, y] = numbers.map(|node| self.signs[&node]);
+        let [x, y] = numbers.map(|node| self.known[&node]);
         let sign = x.times(y);
         let [low, high] =
             [(sign.is_up, -1), (sign.is_down, 1)].map(|(is_none, end)| Rational::from(if is_none { 0 } else { end }));
-        let value = product(&smaller, &inverse(&larger));
+        let value = product(&smaller, &reciprocal(&larger));
         is_ratio.then_some(Bounded { value, low: Some(low), high: Some(high), by })
     }
 
@@ -276,7 +275,7 @@ impl Signs {
         let operands = way.operands(node).unwrap_or_default();
         let of = |place: usize| {
             let value = values[&operands[place]];
-            let term = if place == 1 && *operation == Binary::Subtract { negative(&value) } else { value };
+            let term = if place == 1 && *operation == Binary::Subtract { opposite(&value) } else { value };
             let ratios = self.bounded.iter().filter_map(|bounded| bounded.ratio(&values[&node], &term));
             ratios.fold(Sign::default(), |sign, [low, high]| {
                 sign.or(Sign { is_up: !low.is_negative(), is_down: !high.is_positive() }.times(terms[place]))
@@ -300,8 +299,9 @@ impl Signs {
             is_rounded.insert(node, rounded > 0 || !way.roundings(node).is_zero());
             cancels.insert(node, cancelling > 0 || is_sum && rounded > 0 && !self.adds_up(node));
             match way.graph.op(node) {
-                Op::Unary(Unary::Negative | Unary::Absolute, _) => true,
-                Op::Binary(Binary::Add | Binary::Subtract, ..) => true,
+                Op::Unary(Unary::Negative | Unary::Absolute, _) | Op::Binary(Binary::Add | Binary::Subtract, ..) => {
+                    true
+                }
                 Op::Binary(Binary::Multiply, ..) | Op::MultiplyAdd(..) => cancelling <= 1,
                 Op::Binary(Binary::Divide, ..) => !cancels[&operands[1]],
                 _ => cancelling == 0,

@@ -223,7 +223,9 @@ fn solve(programme: &Programme) -> Option<Vec<f64>> {
     let amounts: Vec<Variable> = programme.rules.iter().map(|_| problem.add_var(USE, (0.0, f64::INFINITY))).collect();
     let mut parts: Vec<Vec<(Variable, f64)>> = programme.room.iter().map(|&room| vec![(bound, -room)]).collect();
     for (adds, &amount) in programme.rules.iter().zip(&amounts) {
-        adds.iter().for_each(|&(part, factor)| parts[part].push((amount, factor)));
+        for &(part, factor) in adds {
+            parts[part].push((amount, factor));
+        }
     }
     for (part, &load) in parts.into_iter().zip(&programme.load) {
         problem.add_constraint(part, ComparisonOp::Le, -load);
@@ -313,7 +315,7 @@ mod tests {
                     let way = with(&|of| of.way.values_mut().for_each(|answer| *answer = !*answer));
                     assert!(way.is_err() || certificates[k].way.is_empty(), "{id}: another way");
                     for step in 0..certificates[k].steps.len() {
-                        let negative = with(&|of| of.steps[step].1 = -of.steps[step].1);
+                        let negative = with(&|of| of.steps[step].1 *= -1);
                         assert!(negative.is_err(), "{id}: a negative amount");
                         let other = with(&|of| of.steps[step].0 = Rule::Angle(node));
                         assert!(other.is_err(), "{id}: a rule that is not there");
