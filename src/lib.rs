@@ -11,7 +11,7 @@
 //! | [`contact`] | friction, interaction laws, slide lines and the axisymmetric elements that slide along them |
 //! | [`connector`] | SLOT, ALIGN, TRANSLATOR, JOIN, UNIVERSAL, UJOINT and SLIDER: formulas, Jacobians, and the typed connectors; frames and Cardan angles |
 //! | [`element`] | from equations to an element: rows, nodal forces and geometric stiffness with respect to translations and spins |
-//! | `toolkit` | for any formula: `verify` proves it, `graph` records it, `equation` executes its printed equation, `measure` measures its speed and its errors, `batch` evaluates it at many points |
+//! | `toolkit` | for any formula: `verify` proves it, `graph` records it, `bound` proves bounds of its rounding errors, `equation` executes its printed equation, `measure` measures its speed and its errors, `batch` evaluates it at many points |
 //! | `catalog` | every formula by identifier |
 //! | `scene` | scene files: parsed, validated, planned, evaluated |
 //!

@@ -3,6 +3,8 @@
 #[cfg(feature = "batch")]
 pub mod batch;
 #[cfg(feature = "verify")]
+pub mod bound;
+#[cfg(feature = "verify")]
 pub mod equation;
 #[cfg(feature = "verify")]
 pub mod graph;

@@ -24,6 +24,7 @@ mod record;
 mod recorder;
 mod run;
 mod slope;
+mod text;
 mod traced;
 mod write;
 
@@ -34,4 +35,5 @@ pub(crate) use record::recorded;
 pub use record::{NotRecorded, record, record_element, record_with};
 pub use recorder::Extremes;
 pub use run::Number;
+pub(crate) use text::bounds;
 pub use traced::Traced;

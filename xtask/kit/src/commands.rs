@@ -2,7 +2,7 @@
 
 use crate::outcome::{Outcome, Usage};
 use crate::project::Project;
-use crate::{audit, book, check, console, equation, export, formulas, golden, new, report, verify};
+use crate::{audit, book, check, console, equation, export, formulas, golden, new, prove, report, verify};
 use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand};
 use jointproof::formula::Field;
 use std::process::ExitCode;
@@ -28,6 +28,7 @@ struct Arguments {
 enum Command {
     Verify(verify::Arguments),
     Golden(golden::Arguments),
+    Prove(prove::Arguments),
     Audit(audit::Arguments),
     Check(check::Arguments),
     Equation(equation::Arguments),
@@ -75,6 +76,7 @@ fn run(project: &Project, matches: &ArgMatches) -> Outcome {
     match Arguments::from_arg_matches(matches)?.command {
         Command::Verify(arguments) => verify::run(project, &arguments),
         Command::Golden(arguments) => golden::run(project, &arguments),
+        Command::Prove(arguments) => prove::run(project, &arguments),
         Command::Audit(arguments) => audit::run(project, &arguments),
         Command::Check(arguments) => check::run(project, &arguments),
         Command::Equation(arguments) => equation::run(project, &arguments),

@@ -24,6 +24,15 @@ pub(crate) fn short_digest(content: impl AsRef<[u8]>) -> String {
 
 /// The JSON files of a folder, in order, except those whose base name is known; none if there is no folder.
 pub(crate) fn json_but(folder: &Path, is_known: impl Fn(&str) -> bool) -> anyhow::Result<Vec<PathBuf>> {
+    with_extension_but(folder, "json", is_known)
+}
+
+/// The same of files with another extension.
+pub(crate) fn with_extension_but(
+    folder: &Path,
+    wanted: &str,
+    is_known: impl Fn(&str) -> bool,
+) -> anyhow::Result<Vec<PathBuf>> {
     let cannot = || format!("cannot list {}", folder.display());
     let entries = match std::fs::read_dir(folder) {
         Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(Vec::new()),
@@ -33,7 +42,7 @@ pub(crate) fn json_but(folder: &Path, is_known: impl Fn(&str) -> bool) -> anyhow
     for entry in entries {
         let path = entry.with_context(cannot)?.path();
         let name = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
-        if path.extension().is_some_and(|extension| extension == "json") && !is_known(&name) {
+        if path.extension().is_some_and(|extension| extension == wanted) && !is_known(&name) {
             found.push(path);
         }
     }

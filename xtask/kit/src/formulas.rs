@@ -4,6 +4,7 @@ use crate::console::{bold, show};
 use crate::mathematics::as_text;
 use crate::outcome::{Outcome, verdict};
 use crate::project::Project;
+use crate::prove;
 use crate::selection::Selection;
 use jointproof::catalog::AnyFormula;
 use jointproof::formula::Field;
@@ -38,7 +39,7 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     let line = |formula: &&dyn AnyFormula| format!("{:width$}  {}\n", formula.spec().id, formula.spec().title);
     let mathematics: fn(&str) -> String = if stdout().is_terminal() { as_text } else { str::to_owned };
     let text: Vec<_> = if arguments.show {
-        formulas.iter().map(|formula| shown(*formula, mathematics)).collect()
+        formulas.iter().map(|formula| shown(project, *formula, mathematics)).collect()
     } else {
         formulas.iter().map(line).collect()
     };
@@ -46,13 +47,14 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     Ok(verdict(true))
 }
 
-fn shown(formula: &dyn AnyFormula, mathematics: fn(&str) -> String) -> String {
+fn shown(project: &Project, formula: &dyn AnyFormula, mathematics: fn(&str) -> String) -> String {
     let spec = formula.spec();
     let mut text = format!("{}  {}\n    {}; {}\n", bold(spec.id), spec.title, spec.source, spec.source.provenance);
     let mut lines: Vec<_> = mathematics(spec.latex).lines().map(str::to_owned).collect();
     lines.extend(formula.inputs().iter().map(|field| described("in", field)));
     lines.extend(formula.outputs().iter().map(|field| described("out", field)));
     lines.push(format!("{}, at sizes {}", spec.accuracy(), spec.sizes()));
+    lines.extend(prove::words(project, formula));
     lines.extend(formula.kinks().iter().map(|kink| format!("kink: {}", mathematics(&kink.condition))));
     text.extend(lines.iter().flat_map(|line| ["    ", line, "\n"]));
     text

@@ -35,6 +35,7 @@ mod outcome;
 mod plot;
 mod project;
 mod prose;
+mod prove;
 mod report;
 mod review;
 #[cfg(test)]

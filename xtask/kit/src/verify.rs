@@ -1,18 +1,19 @@
-//! `verify`: requirements on formulas, golden files, audit, chapters and book, with a short summary.
+//! `verify`: requirements on formulas, golden files, certificates, audit, chapters and book, with a short summary.
 
 use crate::book::{Summary, build_book};
 use crate::console::{self, count, green, red, say, show};
 use crate::golden::{self, Checked};
 use crate::outcome::{Outcome, verdict};
 use crate::project::Project;
+use crate::prove::Certified;
 use crate::report::data::Report;
 use crate::selection::Selection;
-use crate::{audit, elements, missing, prose};
+use crate::{audit, elements, missing, prose, prove};
 use jointproof::toolkit::verify::{Audit, Options};
 use judge::audited;
 use std::time::{Duration, Instant};
 
-/// Check everything: completeness, golden files, audit, statements, chapters, book
+/// Check everything: completeness, golden files, proved bounds, audit, statements, chapters, book
 ///
 /// A formula of which this very program has found already that every claim holds is not audited again: it would find the same.
 #[derive(clap::Args)]
@@ -41,6 +42,9 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     project.needs_sources("verify")?;
     let mut steps = vec![step("missing", || check_missing(project))?];
     steps.push(step("golden", || Ok(outcome(project, golden::check(project, &Selection::ALL)?)))?);
+    if prove::has_certificates(project) {
+        steps.push(step("bounds", || check_bounds(project))?);
+    }
     if let Some((name, beside)) = project.extension.beside {
         steps.push(step(name, || Ok(outcome(project, golden::check_beside(project, &beside(project)?))))?);
     }
@@ -80,6 +84,16 @@ fn outcome(project: &Project, Checked { passed, counts, report }: Checked) -> (b
         golden::say_what_mends(project);
     }
     (passed, counts)
+}
+
+/// Adds up every certificate.
+fn check_bounds(project: &Project) -> anyhow::Result<(bool, String)> {
+    let Certified { passed, counts, off } = prove::check(project, &Selection::ALL)?;
+    if !passed {
+        say(off.trim_end());
+        prove::say_what_mends(project);
+    }
+    Ok((passed, counts))
 }
 
 fn check_missing(project: &Project) -> anyhow::Result<(bool, String)> {

@@ -1,0 +1,225 @@
+//! The file of the certificates of a formula: a line in JSON for the graph, and one for each result and way.
+
+use super::certificate::{Certificate, Programme, check, prove};
+use super::field::{Rational, to_f64};
+use super::parts::Rule;
+use super::way::Answers;
+use crate::formula::Field;
+use crate::toolkit::graph::{Graph, Node};
+use num_traits::Zero;
+use serde::{Deserialize, Serialize};
+use serde_json::{Value, json};
+use std::collections::BTreeMap;
+
+/// A line of the file.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(untagged, deny_unknown_fields)]
+pub enum Line {
+    /// The first line: the formula, and the SHA-256 of the [text](Graph::text) of its graph.
+    Graph {
+        /// The identifier.
+        formula: String,
+        /// The digest in hexadecimal digits.
+        graph: String,
+    },
+    /// A bound that is proved on one way.
+    Proved {
+        /// The operation whose result it is.
+        result: u32,
+        /// The answers of comparisons that make the way, by operation.
+        way: Vec<(u32, bool)>,
+        /// The bound of η, a fraction.
+        bound: String,
+        /// Whether only the first order is proved, since a difference of rounded numbers is squared, is a divisor or an argument.
+        #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+        first_order_only: bool,
+        /// The rules, each with its operation, the places that it names, and its amount.
+        steps: Vec<Vec<Value>>,
+    },
+    /// A result without proof, and why.
+    Open {
+        /// The operation whose result it is.
+        result: u32,
+        /// Why nothing is proved.
+        open: String,
+    },
+}
+
+/// What is proved of the results of a formula.
+#[derive(Clone, Debug)]
+pub struct Proof {
+    /// The certificates of every distinct result in order, or why there is none.
+    pub results: BTreeMap<Node, Result<Vec<Certificate>, String>>,
+}
+
+/// What is proved of value or Jacobian.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Summary {
+    /// The largest proved bound of η of an entry.
+    pub bound: Rational,
+    /// The number of entries that rounding can change at all.
+    pub entries: usize,
+    /// The entries that are not proved, by position, and why.
+    pub open: Vec<(usize, String)>,
+    /// Whether of some proved entry only the first order is.
+    pub first_order_only: bool,
+}
+
+impl Proof {
+    /// Proves what can be; `solve` solves the linear programmes.
+    pub fn of(graph: &Graph, inputs: &[Field], solve: impl Fn(&Programme) -> Option<Vec<f64>>) -> Self {
+        let results = results(graph).map(|node| (node, prove(graph, inputs, node, &solve)));
+        Self { results: results.collect() }
+    }
+
+    /// The file.
+    pub fn render(&self, formula: &str, digest: &str) -> String {
+        let mut lines = vec![Line::Graph { formula: formula.into(), graph: digest.into() }];
+        for (node, proved) in &self.results {
+            let result = number(*node);
+            match proved {
+                Ok(certificates) => lines.extend(certificates.iter().map(|certificate| Line::Proved {
+                    result,
+                    way: certificate.way.iter().map(|(node, answer)| (number(*node), *answer)).collect(),
+                    bound: certificate.bound.to_string(),
+                    first_order_only: !certificate.is_first_order,
+                    steps: certificate.steps.iter().map(|(rule, amount)| written(*rule, *amount)).collect(),
+                })),
+                Err(why) => lines.push(Line::Open { result, open: why.clone() }),
+            }
+        }
+        let line = |line: &Line| serde_json::to_string(line).unwrap_or_default() + "\n";
+        lines.iter().map(line).collect()
+    }
+
+    /// Reads the file.
+    ///
+    /// # Errors
+    /// What is wrong with which line; or that it is about another formula or graph.
+    pub fn parse(text: &str, formula: &str, digest: &str) -> Result<Self, String> {
+        let mut results: BTreeMap<Node, Result<Vec<Certificate>, String>> = BTreeMap::new();
+        let mut is_tied = false;
+        for (k, text) in text.lines().enumerate() {
+            let wrong = |why: &str| format!("line {}: {why}", k + 1);
+            match serde_json::from_str(text).map_err(|error| wrong(&error.to_string()))? {
+                Line::Graph { formula: found, graph } if k == 0 => {
+                    if found != formula || graph != digest {
+                        return Err(wrong(&format!("it is about another graph of {found}: {graph}, not {digest}")));
+                    }
+                    is_tied = true;
+                }
+                Line::Graph { .. } => return Err(wrong("a second graph")),
+                Line::Proved { result, way, bound, first_order_only, steps } => {
+                    let steps = steps.iter().map(|step| read(step)).collect::<Option<_>>();
+                    let certificate = Certificate {
+                        way: way.into_iter().map(|(node, answer)| (node_of(node), answer)).collect::<Answers>(),
+                        bound: bound.parse().map_err(|_| wrong("its bound is no fraction"))?,
+                        is_first_order: !first_order_only,
+                        steps: steps.ok_or_else(|| wrong("a step is no rule with its amount"))?,
+                    };
+                    match results.entry(node_of(result)).or_insert_with(|| Ok(Vec::new())) {
+                        Ok(certificates) => certificates.push(certificate),
+                        Err(_) => return Err(wrong("this result is said to be open")),
+                    }
+                }
+                Line::Open { result, open } => {
+                    if results.insert(node_of(result), Err(open)).is_some() {
+                        return Err(wrong("this result is said to be proved"));
+                    }
+                }
+            }
+        }
+        if is_tied { Ok(Self { results }) } else { Err("it does not say of which graph it is".into()) }
+    }
+
+    /// Checks every certificate, and that something is said of every result.
+    ///
+    /// # Errors
+    /// What is wrong with which result.
+    pub fn check(&self, graph: &Graph, inputs: &[Field]) -> Result<(), String> {
+        let expected: Vec<Node> = results(graph).collect();
+        if let Some(node) = expected.iter().find(|node| !self.results.contains_key(node)) {
+            return Err(format!("nothing is said of result {}", node.index()));
+        }
+        if let Some(node) = self.results.keys().find(|node| !expected.contains(node)) {
+            return Err(format!("{} is no result", node.index()));
+        }
+        for (node, proved) in &self.results {
+            let Ok(certificates) = proved else { continue };
+            check(graph, inputs, *node, certificates).map_err(|why| format!("result {}: {why}", node.index()))?;
+        }
+        Ok(())
+    }
+
+    /// What is proved of these results, those of the value or of the Jacobian.
+    pub fn summary(&self, results: &[Node]) -> Summary {
+        let mut summary = Summary::default();
+        for (k, node) in results.iter().enumerate() {
+            match self.results.get(node) {
+                Some(Ok(certificates)) => {
+                    let bound = certificates.iter().map(|it| it.bound).max().unwrap_or_default();
+                    summary.entries += usize::from(!bound.is_zero());
+                    summary.bound = summary.bound.max(bound);
+                    summary.first_order_only |= certificates.iter().any(|it| !it.is_first_order);
+                }
+                Some(Err(why)) => summary.open.push((k, why.clone())),
+                None => summary.open.push((k, "nothing is said of it".into())),
+            }
+        }
+        summary.entries += summary.open.len();
+        summary
+    }
+}
+
+impl Summary {
+    /// The bound as a double, not below it.
+    pub fn bound(&self) -> f64 {
+        if self.bound.is_integer() { to_f64(self.bound) } else { to_f64(self.bound).next_up() }
+    }
+}
+
+/// The distinct results of a graph.
+fn results(graph: &Graph) -> impl Iterator<Item = Node> {
+    let all: std::collections::BTreeSet<Node> = graph.value.iter().chain(&graph.jacobian).copied().collect();
+    all.into_iter()
+}
+
+fn number(node: Node) -> u32 {
+    u32::try_from(node.index()).expect("a node is numbered by 32 bits")
+}
+
+fn node_of(number: u32) -> Node {
+    Node::at(number as usize)
+}
+
+fn written(rule: Rule, amount: Rational) -> Vec<Value> {
+    let mut step = match rule {
+        Rule::Uses(node, part) => vec![json!("uses"), json!(node.index()), json!(part)],
+        Rule::Sum(node, form, part) => vec![json!("sum"), json!(node.index()), json!(form), json!(part)],
+        Rule::Parts(node, form) => vec![json!("parts"), json!(node.index()), json!(form)],
+        Rule::Angle(node) => vec![json!("angle"), json!(node.index())],
+        Rule::Range(node, form, part, other, by) => {
+            vec![json!("range"), json!(node.index()), json!(form), json!(part), json!(other), json!(by.index())]
+        }
+    };
+    step.push(json!(amount.to_string()));
+    step
+}
+
+fn read(step: &[Value]) -> Option<(Rule, Rational)> {
+    let (amount, rule) = step.split_last()?;
+    let (name, places) = rule.split_first()?;
+    // No graph has more operations than 32 bits count.
+    let place = |place: &Value| place.as_u64().and_then(|place| u32::try_from(place).ok()).map(|place| place as usize);
+    let places: Vec<Option<usize>> = places.iter().map(place).collect();
+    let node = |place: &Option<usize>| place.map(Node::at);
+    let rule = match (name.as_str()?, places.as_slice()) {
+        ("uses", [of, part]) => Rule::Uses(node(of)?, (*part)?),
+        ("sum", [of, form, part]) => Rule::Sum(node(of)?, (*form)?, (*part)?),
+        ("parts", [of, form]) => Rule::Parts(node(of)?, (*form)?),
+        ("angle", [of]) => Rule::Angle(node(of)?),
+        ("range", [of, form, part, other, by]) => Rule::Range(node(of)?, *form, (*part)?, (*other)?, node(by)?),
+        _ => return None,
+    };
+    Some((rule, amount.as_str()?.parse().ok()?))
+}

@@ -1,0 +1,331 @@
+//! `prove`: certificates of bounds of rounding errors, written or checked.
+
+use crate::console::{bold, count, green, print, progress, red, say};
+use crate::files;
+use crate::outcome::{Outcome, verdict};
+use crate::project::Project;
+use crate::selection::{Formulas, Selection};
+use indicatif::ParallelProgressIterator;
+use jointproof::catalog::AnyFormula;
+use jointproof::toolkit::bound::{Programme, Proof, Summary};
+use jointproof::toolkit::graph::Graph;
+use microlp::{ComparisonOp, OptimizationDirection, Problem, SolveOutcome, Variable};
+use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
+use std::fmt::Write;
+use std::path::PathBuf;
+
+/// Prove bounds of the rounding errors of values and Jacobians, or check the proofs
+///
+/// A bound is proved by a certificate: how often each of a few rules is used, which add up to the bound. It holds for all inputs.
+#[derive(clap::Args)]
+#[command(after_help = "Examples:
+  {command} prove                       write changed certificates, remove those without a formula
+  {command} prove --check               check the committed certificates, write nothing
+  {command} prove --filter '{family}.*' only the formulas of a family
+  {command} prove --graphs graphs       write the graphs that the certificates are about into a folder")]
+pub(crate) struct Arguments {
+    /// Check the committed certificates and write nothing; exit 1 if one does not add up
+    #[arg(long)]
+    check: bool,
+    /// Write into this folder the graphs that the certificates are about, for another checker
+    #[arg(long, value_name = "FOLDER", conflicts_with = "check")]
+    graphs: Option<PathBuf>,
+    #[command(flatten)]
+    selection: Selection,
+}
+
+pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
+    let formulas = arguments.selection.formulas(project)?;
+    if let Some(folder) = &arguments.graphs {
+        for formula in &formulas {
+            if let Ok(graph) = formula.graph() {
+                files::write(&folder.join(name(*formula)), &graph.text(formula.inputs()))?;
+            }
+        }
+        print(&format!("{} in {}\n", count(formulas.len(), "graph"), folder.display()))?;
+        return Ok(verdict(true));
+    }
+    project.needs_sources("prove")?;
+    if arguments.check {
+        let Certified { passed, counts, off } = check(project, &arguments.selection)?;
+        let mark = if passed { green("ok") } else { red("off") };
+        print(&format!("{off}{mark} {counts}\n"))?;
+        if !passed {
+            say_what_mends(project);
+        }
+        return Ok(verdict(passed));
+    }
+    print(&write(project, &arguments.selection, &formulas)?)?;
+    Ok(verdict(true))
+}
+
+/// Tells how to resolve what is off.
+pub(crate) fn say_what_mends(project: &Project) {
+    say(&format!("to prove the bounds again: {} prove", project.command()));
+}
+
+/// Whether the project keeps certificates.
+pub(crate) fn has_certificates(project: &Project) -> bool {
+    folder(project).is_dir()
+}
+
+fn name(formula: &dyn AnyFormula) -> String {
+    format!("{}.jsonl", formula.spec().id)
+}
+
+fn folder(project: &Project) -> PathBuf {
+    project.golden().join("bounds")
+}
+
+fn write(project: &Project, selection: &Selection, formulas: &Formulas) -> anyhow::Result<String> {
+    let bar = progress("prove", formulas.len());
+    let prove = |formula: &&dyn AnyFormula| {
+        let graph = formula.graph().ok()?;
+        let proof = Proof::of(&graph, formula.inputs(), solve);
+        Some((name(*formula), proof.render(formula.spec().id, &digest(*formula, &graph)), Total::of(&proof, &graph)))
+    };
+    let proved: Vec<_> = formulas.par_iter().progress_with(bar).map(prove).collect();
+    let (mut report, mut total) = (String::new(), Total::default());
+    for (name, text, of) in proved.into_iter().flatten() {
+        let path = folder(project).join(name);
+        if files::write(&path, &text)? {
+            writeln!(report, "wrote {}", project.shown(&path))?;
+        }
+        total.add(&of);
+    }
+    for orphan in if selection.is_all() { orphans(project)? } else { Vec::new() } {
+        std::fs::remove_file(&orphan)?;
+        writeln!(report, "removed {}: no such formula", project.shown(&orphan))?;
+    }
+    writeln!(report, "{}", total.text())?;
+    Ok(report)
+}
+
+/// Certificates of formulas that no longer exist.
+fn orphans(project: &Project) -> anyhow::Result<Vec<PathBuf>> {
+    files::with_extension_but(&folder(project), "jsonl", |id| project.find(id).is_some())
+}
+
+/// The result of a check.
+pub(crate) struct Certified {
+    pub(crate) passed: bool,
+    pub(crate) counts: String,
+    /// What is off, a line each.
+    pub(crate) off: String,
+}
+
+/// Adds up the committed certificates.
+pub(crate) fn check(project: &Project, selection: &Selection) -> anyhow::Result<Certified> {
+    let formulas = selection.formulas(project)?;
+    let bar = progress("bounds", formulas.len());
+    let results: Vec<_> = formulas.par_iter().progress_with(bar).map(|formula| examined(project, *formula)).collect();
+    let (mut off, mut total) = (String::new(), Total::default());
+    for result in results {
+        match result {
+            Ok(of) => total.add(&of),
+            Err(why) => writeln!(off, "{why}")?,
+        }
+    }
+    for orphan in if selection.is_all() { orphans(project)? } else { Vec::new() } {
+        writeln!(off, "{} has no formula", bold(project.shown(&orphan)))?;
+    }
+    Ok(Certified { passed: off.is_empty(), counts: total.text(), off })
+}
+
+/// What the committed certificates of a formula prove.
+fn examined(project: &Project, formula: &dyn AnyFormula) -> Result<Total, String> {
+    let Ok(graph) = formula.graph() else { return Ok(Total::default()) };
+    let path = folder(project).join(name(formula));
+    let wrong = |why: String| format!("{}: {why}", bold(project.shown(&path)));
+    let text = std::fs::read_to_string(&path).map_err(|error| wrong(error.to_string()))?;
+    let proof = read(&text, formula, &graph).map_err(wrong)?;
+    proof.check(&graph, formula.inputs()).map_err(wrong)?;
+    Ok(Total::of(&proof, &graph))
+}
+
+fn read(text: &str, formula: &dyn AnyFormula, graph: &Graph) -> Result<Proof, String> {
+    Proof::parse(text, formula.spec().id, &digest(formula, graph))
+}
+
+/// What is said to be proved of value and Jacobian of a formula, as committed; `None` where there is no file about its graph.
+pub(crate) fn stated(project: &Project, formula: &dyn AnyFormula) -> Option<[Summary; 2]> {
+    let graph = formula.graph().ok()?;
+    let text = std::fs::read_to_string(folder(project).join(name(formula))).ok()?;
+    let proof = read(&text, formula, &graph).ok()?;
+    Some([proof.summary(&graph.value), proof.summary(&graph.jacobian)])
+}
+
+/// What is proved, in words.
+pub(crate) fn words(project: &Project, formula: &dyn AnyFormula) -> Option<String> {
+    let [value, jacobian] = stated(project, formula)?;
+    let is_closed = formula.spec().is_closed();
+    let parts = [("value", Some(value)), ("Jacobian", is_closed.then_some(jacobian))];
+    let said = |(of, summary): (&str, Option<Summary>)| {
+        let Summary { bound, entries, open, first_order_only } = summary?;
+        let why = open.first().map(|(_, why)| why.as_str()).unwrap_or_default();
+        Some(match (entries, open.len()) {
+            (0, _) => format!("no rounding in the {of}"),
+            (all, of_all) if all == of_all => format!("nothing of the {of}: {why}"),
+            (all, some) => {
+                let order = if first_order_only { " to first order" } else { "" };
+                let rest = format!(" ({some} of {all} entries are not: {why})");
+                format!("η at most {bound} of the {of}{order}{}", if some == 0 { "" } else { &rest })
+            }
+        })
+    };
+    Some(format!("proved: {}", parts.into_iter().filter_map(said).collect::<Vec<_>>().join("; ")))
+}
+
+fn digest(formula: &dyn AnyFormula, graph: &Graph) -> String {
+    files::digest(graph.text(formula.inputs()))
+}
+
+/// Counts over formulas.
+#[derive(Default)]
+struct Total {
+    formulas: usize,
+    whole: usize,
+    entries: usize,
+    open: usize,
+}
+
+impl Total {
+    fn of(proof: &Proof, graph: &Graph) -> Self {
+        let both = [proof.summary(&graph.value), proof.summary(&graph.jacobian)];
+        let open = both.iter().map(|of| of.open.len()).sum();
+        Self { formulas: 1, whole: usize::from(open == 0), entries: both.iter().map(|of| of.entries).sum(), open }
+    }
+
+    fn add(&mut self, other: &Self) {
+        self.formulas += other.formulas;
+        self.whole += other.whole;
+        self.entries += other.entries;
+        self.open += other.open;
+    }
+
+    fn text(&self) -> String {
+        let Self { formulas, whole, entries, open } = *self;
+        format!(
+            "{}, {whole} proved whole; {} of {}",
+            count(formulas, "formula"),
+            entries - open,
+            if entries == 1 { "1 entry".to_owned() } else { format!("{entries} entries") }
+        )
+    }
+}
+
+/// Solves a linear programme by the simplex method, whose solutions use few rules.
+fn solve(programme: &Programme) -> Option<Vec<f64>> {
+    // So little that it only decides between solutions of the same bound.
+    const USE: f64 = 1e-6;
+    let mut problem = Problem::new(OptimizationDirection::Minimize);
+    let bound = problem.add_var(1.0, (0.0, f64::INFINITY));
+    let amounts: Vec<Variable> = programme.rules.iter().map(|_| problem.add_var(USE, (0.0, f64::INFINITY))).collect();
+    let mut parts: Vec<Vec<(Variable, f64)>> = programme.room.iter().map(|&room| vec![(bound, -room)]).collect();
+    for (adds, &amount) in programme.rules.iter().zip(&amounts) {
+        for &(part, factor) in adds {
+            parts[part].push((amount, factor));
+        }
+    }
+    for (part, &load) in parts.into_iter().zip(&programme.load) {
+        problem.add_constraint(part, ComparisonOp::Le, -load);
+    }
+    let SolveOutcome::Solution(solution) = problem.solve().ok()? else { return None };
+    Some(amounts.into_iter().map(|amount| solution[amount]).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use jointproof::catalog;
+    use jointproof::toolkit::bound::{Rational, Rule, check};
+
+    fn proved(id: &str) -> (&'static dyn AnyFormula, Graph, Proof) {
+        let formula = catalog::find(id).unwrap();
+        let graph = formula.graph().unwrap();
+        let proof = Proof::of(&graph, formula.inputs(), solve);
+        (formula, graph, proof)
+    }
+
+    /// Each of these was found by hand, or by another program, to be the least.
+    #[test]
+    fn bounds_are_the_least_that_the_rules_give() {
+        let halves = |halves: i128| Rational::new(halves, 2);
+        let known = [
+            ("join.nodal_forces", [Some(halves(5)), None]),
+            ("slot.contact_force", [Some(halves(2)), Some(halves(6))]),
+            ("slot.friction", [Some(Rational::new(5, 3)), Some(halves(6))]),
+            ("interaction.damping", [Some(halves(4)), Some(Rational::new(8, 3))]),
+            ("slider.eliminate_2d", [Some(halves(5)), Some(Rational::new(7, 3))]),
+        ];
+        for (id, bounds) in known {
+            let (_, graph, proof) = proved(id);
+            let both = [proof.summary(&graph.value), proof.summary(&graph.jacobian)];
+            let found = both.map(|of| (of.entries > 0 && of.open.is_empty()).then_some(of.bound));
+            assert_eq!(found, bounds, "{id}");
+        }
+    }
+
+    /// Reading gives what was written, and nothing about another graph.
+    #[test]
+    fn a_file_is_read_as_it_was_written_and_belongs_to_one_graph() {
+        let (formula, graph, proof) = proved("slide_line.parabolic_point");
+        let text = proof.render("slide_line.parabolic_point", &digest(formula, &graph));
+        let again = read(&text, formula, &graph).unwrap();
+        assert_eq!(
+            (
+                again.render("slide_line.parabolic_point", &digest(formula, &graph)),
+                again.check(&graph, formula.inputs())
+            ),
+            (text.clone(), Ok(()))
+        );
+        let other = catalog::find("slot.friction").unwrap();
+        let refused = read(&text, other, &other.graph().unwrap()).unwrap_err();
+        assert!(refused.starts_with("line 1: it is about another graph"), "{refused}");
+        let half: String = text.lines().take(2).map(|line| line.to_owned() + "\n").collect();
+        let refused = read(&half, formula, &graph).unwrap().check(&graph, formula.inputs()).unwrap_err();
+        assert!(refused.starts_with("nothing is said of result"), "{refused}");
+    }
+
+    /// Whatever is changed in a certificate is refused, or the bound still holds.
+    #[test]
+    fn tampered_certificates_are_refused_or_harmless() {
+        let (mut refused, mut harmless) = (0, 0);
+        for id in [
+            "slot.friction",
+            "coulomb.return_map_2d",
+            "join.nodal_forces",
+            "slider.eliminate_2d",
+            "slide_line.parabolic_point",
+        ] {
+            let (formula, graph, proof) = proved(id);
+            for (&node, certificates) in &proof.results {
+                let certificates = certificates.as_ref().unwrap();
+                let holds = |certificates: &[_]| check(&graph, formula.inputs(), node, certificates);
+                assert_eq!(holds(certificates), Ok(()), "{id}");
+                assert!(holds(&certificates[1..]).is_err(), "{id}: a way without a certificate");
+                for k in 0..certificates.len() {
+                    let with = |change: &dyn Fn(&mut jointproof::toolkit::bound::Certificate)| {
+                        let mut tampered = certificates.clone();
+                        change(&mut tampered[k]);
+                        holds(&tampered)
+                    };
+                    let lower = with(&|of| of.bound -= Rational::new(1, 1000));
+                    assert!(lower.is_err(), "{id}: a bound that is lower");
+                    let way = with(&|of| of.way.values_mut().for_each(|answer| *answer = !*answer));
+                    assert!(way.is_err() || certificates[k].way.is_empty(), "{id}: another way");
+                    for step in 0..certificates[k].steps.len() {
+                        let negative = with(&|of| of.steps[step].1 *= -1);
+                        assert!(negative.is_err(), "{id}: a negative amount");
+                        let other = with(&|of| of.steps[step].0 = Rule::Angle(node));
+                        assert!(other.is_err(), "{id}: a rule that is not there");
+                        for verdict in [with(&|of| drop(of.steps.remove(step))), with(&|of| of.steps[step].1 /= 2)] {
+                            if verdict.is_err() { refused += 1 } else { harmless += 1 }
+                        }
+                    }
+                }
+            }
+        }
+        assert!(refused > 200 && harmless * 20 < refused, "{refused} refused, {harmless} harmless");
+    }
+}
