@@ -13,7 +13,7 @@ use crate::toolkit::measure;
 use crate::toolkit::measure::Measurement;
 use crate::toolkit::verify::{
     Audit, Claim, Judge, Kink, Options, Part, Printed, Shard, Sides, Subject, Trial, audit_equation, audit_point,
-    claims_about, eta_at_scale, exact, golden, kinks_as_printed, number_of, sides,
+    claims_about, eta_at_scale, eta_point, exact, golden, kinks_as_printed, number_of, sides,
 };
 use crate::{Error, Octuple};
 use std::borrow::Cow;
@@ -117,6 +117,14 @@ pub trait AnyFormula: Described {
     fn audit_at(&self, components: &[f64]) -> Result<Audit, Error> {
         expect(count(self.inputs()), components.len())?;
         audit_point(&self.subject(), components.to_vec())
+    }
+    /// The claims about the bounds of η at one point, given by components in order: of the value, and of a Jacobian in closed form.
+    ///
+    /// # Errors
+    /// As [`AnyFormula::value`], and if a result overflows.
+    fn eta_at(&self, components: &[f64]) -> Result<Vec<Claim>, Error> {
+        self.value_and_closed_jacobian(components)?;
+        Ok(eta_point(&self.subject(), components.to_vec()))
     }
     /// Points at which an equation written by somebody else can be tried.
     fn trial(&self, options: &Options) -> Trial {

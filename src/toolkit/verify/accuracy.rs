@@ -5,6 +5,7 @@ use super::difference::of_same_field;
 use super::eta::eta_beside;
 use super::point::{Names, Point};
 use super::sensitivities::Sensitivities;
+use super::subject::Subject;
 use super::{Sensitivity, eta};
 use crate::Octuple;
 use crate::formula::Spec;
@@ -66,6 +67,14 @@ pub(super) fn claims(spec: &Spec, sizes: &str) -> (Claim, Option<Claim>) {
     let (bounds, by) = spec.bounds();
     let claim = |of, bound| Claim::new(format!("η of the {of} in f64{by}{sizes}"), bound);
     (claim("value", bounds.value), bounds.jacobian.map(|bound| claim("closed-form Jacobian", bound)))
+}
+
+/// The claims about the bounds of η, checked at one point with valid inputs.
+pub(crate) fn eta_point(subject: &Subject, inputs: Vec<f64>) -> Vec<Claim> {
+    let point = Point::new(subject, "found".into(), false, inputs);
+    let (mut value, mut jacobian) = claims(&subject.spec, "");
+    check_accuracy(&mut value, jacobian.as_mut(), &point, &Names::new(subject), &Exact::at(&point));
+    [value].into_iter().chain(jacobian).collect()
 }
 
 /// Checks value and closed-form Jacobian in `f64`, each computed alone and together; on a switch there is no derivative.
@@ -138,7 +147,6 @@ mod tests {
     use crate::contact::slide_line::LocalBasis;
     use crate::formula::Bounds;
     use crate::number::power::power_of_two;
-    use crate::toolkit::verify::subject::Subject;
 
     #[test]
     fn the_largest_entry_is_that_of_the_output() {

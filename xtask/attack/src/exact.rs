@@ -1,0 +1,58 @@
+//! The backward error of one result in 237 bits, without computing those that nobody asks for.
+
+use crate::pass::{Pass, U};
+use crate::rounding::constant;
+use crate::target::Target;
+use jointproof::Octuple;
+use jointproof::toolkit::graph::{Graph, Node, Op};
+use num_traits::Signed;
+
+/// η of a target at inputs, given the pass forwards in `f64` there. Where the double takes another branch than the exact
+/// number, since they are within roundings of a kink, a derivative may be that of either branch.
+pub(crate) fn eta(graph: &Graph, target: &Target, inputs: &[f64], pass: &Pass) -> f64 {
+    let (exact, differs) = results(graph, &target.needed, inputs, None);
+    let mut eta = eta_beside(graph, target, inputs, pass, &exact);
+    if target.is_jacobian && differs(pass) {
+        let (forced, _) = results(graph, &target.needed, inputs, Some(pass));
+        eta = eta.min(eta_beside(graph, target, inputs, pass, &forced));
+    }
+    eta
+}
+
+/// All results in 237 bits, with the comparisons as they come out there or, if given, in a pass in `f64`; and whether they
+/// come out otherwise in another pass.
+fn results<'a>(
+    graph: &'a Graph,
+    needed: &'a [Node],
+    inputs: &[f64],
+    forced: Option<&Pass>,
+) -> (Vec<Octuple>, impl Fn(&Pass) -> bool + use<'a>) {
+    let inputs: Vec<_> = inputs.iter().map(|&x| Octuple::from(x)).collect();
+    let mut all = vec![Octuple::from(f64::NAN); graph.ops().len()];
+    let mut answers = Vec::new();
+    for &node in needed {
+        all[node.index()] = match (graph.op(node), forced) {
+            (Op::Number(bits), _) => constant(f64::from_bits(*bits)),
+            (Op::Compare(..), Some(pass)) => pass.at(node).into(),
+            (op, _) => op.result(&inputs, &all),
+        };
+        if let Op::Compare(..) = graph.op(node) {
+            answers.push((node, all[node.index()].to_f64()));
+        }
+    }
+    (all, move |pass: &Pass| answers.iter().any(|&(node, answer)| pass.at(node) != answer))
+}
+
+fn eta_beside(graph: &Graph, target: &Target, inputs: &[f64], pass: &Pass, all: &[Octuple]) -> f64 {
+    let size = |(node, needed): &(Node, Vec<Node>)| {
+        let gradient = graph.gradient(*node, needed, all, inputs.len());
+        let terms = gradient.iter().zip(inputs).map(|(&slope, &x)| (slope * x).abs());
+        terms.fold(all[node.index()].abs(), |sum, term| sum + term)
+    };
+    let own = size(&target.own);
+    let size = target.beside.iter().map(size).fold(own, |most, size| if size > most { size } else { most });
+    let node = target.own.0;
+    let deviation = (Octuple::from(pass.at(node)) - all[node.index()]).abs();
+    // Half the smallest subnormal, since no double is closer than that to an exact result.
+    (deviation / (size * U + Octuple::from(f64::from_bits(1)) * 0.5)).to_f64()
+}

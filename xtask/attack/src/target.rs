@@ -1,0 +1,68 @@
+//! The numbers with a bound: the components of the value, and the entries of a Jacobian in closed form.
+
+use jointproof::catalog::AnyFormula;
+use jointproof::formula::Field;
+use jointproof::toolkit::graph::{Graph, Node, Op};
+use std::collections::HashSet;
+use std::ops::Range;
+
+/// A result whose error is searched, with those beside which it is judged.
+pub(crate) struct Target {
+    pub(crate) is_jacobian: bool,
+    /// The result, and the operations that it needs.
+    pub(crate) own: (Node, Vec<Node>),
+    /// The same of those beside it; none unless the bounds are normwise.
+    pub(crate) beside: Vec<(Node, Vec<Node>)>,
+    /// Everything that these need, and what tells whether inputs are refused.
+    pub(crate) needed: Vec<Node>,
+}
+
+/// All targets of a formula, each once.
+pub(crate) fn targets(formula: &dyn AnyFormula, graph: &Graph) -> Vec<Target> {
+    let (inputs, outputs) = (formula.inputs(), formula.outputs());
+    let (number, normwise) = (count(inputs), formula.spec().normwise.is_some());
+    let of_value = (0..graph.value.len()).map(|output| {
+        let others = others(outputs, output).map(|other| graph.value[other]);
+        (false, graph.value[output], others.collect::<Vec<_>>())
+    });
+    let of_jacobian = (0..graph.jacobian.len()).map(|entry| {
+        let (output, input) = (entry / number, entry % number);
+        let by_inputs = others(inputs, input).map(|other| output * number + other);
+        let by_outputs = others(outputs, output).map(|other| other * number + input);
+        let is_scalar = others(inputs, input).next().is_none();
+        let others: Vec<_> = if is_scalar { by_outputs.collect() } else { by_inputs.collect() };
+        (true, graph.jacobian[entry], others.into_iter().map(|other| graph.jacobian[other]).collect())
+    });
+    let mut known = HashSet::new();
+    of_value
+        .chain(of_jacobian)
+        .filter(|(_, own, _)| !matches!(graph.op(*own), Op::Input(_) | Op::Number(_)))
+        .map(|(is_jacobian, own, beside)| (is_jacobian, own, if normwise { beside } else { Vec::new() }))
+        .filter(|target| known.insert(target.clone()))
+        .map(|(is_jacobian, own, beside)| {
+            let all: Vec<_> = beside.iter().copied().chain([own]).chain(graph.refusal).collect();
+            let with_needed = |node| (node, graph.needed(&[node]));
+            let beside = beside.into_iter().map(with_needed).collect();
+            Target { is_jacobian, own: with_needed(own), beside, needed: graph.needed(&all) }
+        })
+        .collect()
+}
+
+/// The other components of the field that has this one.
+fn others(fields: &[Field], component: usize) -> impl Iterator<Item = usize> + use<> {
+    ranges(fields).into_iter().find(|range| range.contains(&component)).unwrap_or(0..0).filter(move |&k| k != component)
+}
+
+/// The components of each field.
+pub(crate) fn ranges(fields: &[Field]) -> Vec<Range<usize>> {
+    let mut start = 0;
+    let next = |field: &Field| {
+        start += field.len();
+        start - field.len()..start
+    };
+    fields.iter().map(next).collect()
+}
+
+pub(crate) fn count(fields: &[Field]) -> usize {
+    fields.iter().map(Field::len).sum()
+}
