@@ -12,7 +12,7 @@ use std::hash::{Hash, Hasher};
 pub struct Node(u32);
 
 impl Node {
-    pub(super) fn at(index: usize) -> Self {
+    pub(crate) fn at(index: usize) -> Self {
         Self(u32::try_from(index).expect("fewer than 2³² operations"))
     }
 

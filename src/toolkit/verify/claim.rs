@@ -92,6 +92,17 @@ impl Claim {
         bound: f64,
         describe: impl FnOnce(f64) -> Deviation,
     ) -> f64 {
+        self.record_last_or(sizes, bound, || None, describe)
+    }
+
+    /// As [`record_last`](Self::record_last), with another deviation that counts as well where the last one exceeds the limit.
+    pub(super) fn record_last_or(
+        &mut self,
+        sizes: impl IntoIterator<Item = f64>,
+        bound: f64,
+        other: impl FnOnce() -> Option<f64>,
+        describe: impl FnOnce(f64) -> Deviation,
+    ) -> f64 {
         let enough = self.worst.as_ref().map_or(f64::NEG_INFINITY, |worst| worst.size).min(bound);
         let mut last = f64::INFINITY;
         for size in sizes {
@@ -99,6 +110,9 @@ impl Claim {
             if size <= enough {
                 break;
             }
+        }
+        if last > bound {
+            last = other().map_or(last, |other| other.min(last));
         }
         self.record(last, bound, describe);
         last

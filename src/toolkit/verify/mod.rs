@@ -55,6 +55,7 @@ mod invariance;
 mod jet;
 mod judge;
 mod kinks;
+mod other_side;
 mod part;
 mod point;
 mod printed;

@@ -30,6 +30,13 @@ pub struct Attack {
     pub evaluations: u64,
 }
 
+impl Attack {
+    /// Whether no bound is refuted.
+    pub fn holds(&self) -> bool {
+        self.claims.iter().all(|claim| claim.failures == 0)
+    }
+}
+
 /// Random points from which the search starts, beside golden cases and points on and near kinks.
 const STARTS: usize = 60;
 /// Starts that are tried for every result at first.
