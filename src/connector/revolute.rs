@@ -107,7 +107,8 @@ impl Formula for Angle {
     .equation(
         r"\alpha = -\operatorname{atan2}(\mathbf{e}_{2a}\cdot\mathbf{e}_{3b},\ \mathbf{e}_{3a}\cdot\mathbf{e}_{3b})",
     )
-    .eta(2.0, 8.0)
+    .eta(3.0, 8.0)
+    .normwise(3.0, 8.0)
     .scale(1e250)
     .finite(Finite::Between);
     type Inputs<T: Component> = Across<T>;

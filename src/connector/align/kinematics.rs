@@ -71,7 +71,8 @@ impl Formula for Constraint {
     )
     .equation(r"u_{r1} = \alpha - \alpha_0,\quad u_{r2} = \beta - \beta_0,\quad u_{r3} = \gamma - \gamma_0")
     .given(&[Given::new(r"\alpha,\ \beta,\ \gamma", &CardanAngles::SPEC)])
-    .eta(2.0, 4.0)
+    .eta(3.0, 4.0)
+    .normwise(3.0, 8.0)
     .scale(1e250)
     .finite(Finite::Between);
     type Inputs<T: Component> = Orientations<T>;

@@ -90,7 +90,8 @@ impl Formula for Constraint {
     // An entry of ∂g2 is the sum of the effects of a rotation about i and of one normal to it; where they cancel, their rounding
     // errors remain in the sum.
     .eta(4.0, 24.0)
-    .normwise(4.0, 6.0)
+    .normwise(8.0, 12.0)
+    .apart()
     .scale(1e250)
     .finite(Finite::Between)
     .not_objective();
@@ -191,7 +192,7 @@ impl Formula for IncrementalConstraint {
         .equation(r"r_q = \mathbf{t}_q\cdot\bigl(\mathrm{d}\mathbf{x}_m - (1-\xi)\,\mathrm{d}\mathbf{x}_1 - \xi\,\mathrm{d}\mathbf{x}_n\bigr),\quad \xi = (\mathbf{x}_m-\mathbf{x}_1)\cdot\mathbf{n}/l,\quad q = 1, 2")
 .given(&[Given::new(r"\mathbf{t}_1,\ \mathbf{t}_2", &Basis::SPEC), Given::new(r"\mathbf{n},\ l", &Line::SPEC)])
         .eta(4.0, 16.0)
-        .normwise(4.0, 6.0)
+        .normwise(8.0, 14.0)
         .scale(1e50)
         .finite(Finite::Between)
         .not_objective();

@@ -95,7 +95,8 @@ impl Formula for Rows {
         // them their sensitivities to the inputs, their rounding errors remain: of 7 million entries 10 are above 128. Normwise
         // none is above 6.
         .eta_of_value(6.0)
-        .normwise_of_value(5.0)
+        .normwise_of_value(12.0)
+        .apart()
         .scale(1e250)
         .finite(Finite::Between)
         .not_objective();
@@ -181,7 +182,7 @@ impl Formula for Forces {
             Given::new(r"\xi", &IncrementalConstraint::SPEC),
         ])
         .eta(6.0, 16.0)
-        .normwise(4.0, 6.0)
+        .normwise(6.5, 14.0)
         .scale(1e80)
         .finite(Finite::Between)
         .not_objective();
@@ -242,7 +243,7 @@ impl Formula for GeometricStiffness {
         ])
         // As for the rows.
         .eta_of_value(8.0)
-        .normwise_of_value(5.0)
+        .normwise_of_value(12.0)
         .scale(1e120)
         .finite(Finite::Between)
         .not_objective();

@@ -157,7 +157,7 @@ impl Formula for Decomposition {
     )
         .equation(r"F_{\mathrm{axial1}} = \mathbf{F}\cdot\mathbf{e}_{1a},\quad F_{\mathrm{axial3}} = \mathbf{F}\cdot\mathbf{e}_{3b},\quad F_{\mathrm{bend}} = \mathbf{F}\cdot\mathbf{e}_{\mathrm{cross}},\quad \mathbf{F} = f_1\mathbf{e}_{1a} + f_2\mathbf{e}_{2a} + f_3\mathbf{e}_{3a}")
 .given(&[Given::new(r"\mathbf{e}_{\mathrm{cross}}", &CrossDirection::SPEC)])
-        .eta(2.0, 2.0)
+        .eta(3.0, 2.0)
         .scale(1e250)
         .finite(Finite::Below);
     type Inputs<T: Component> = CrossLoads<T>;

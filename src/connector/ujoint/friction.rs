@@ -70,7 +70,8 @@ impl Formula for Friction {
             Given::new(r"M_{N1},\ M_{N3}", &NormalMoments::SPEC),
             Given::new(r"M_{C1},\ M_{C3}", &ContactMoments::SPEC),
         ])
-        .eta(2.0, 6.0)
+        .eta(4.0, 6.0)
+        .normwise(4.0, 24.0)
         .scale(1e50)
         .finite(Finite::Between);
     type Inputs<T: Component> = FrictionLoads<T>;

@@ -37,7 +37,7 @@ impl Formula for LocalBasis {
     )
         .equation(r"\mathbf{t} = \frac{\mathbf{X}'}{\lvert\mathbf{X}'\rvert},\quad \mathbf{n} = \mathbf{s}\times\mathbf{t} = (-t_2, t_1)")
         // The squares, their sum and the root have two rounding errors, and the quotient has one more.
-        .eta(3.0, 4.0)
+        .eta(3.0, 8.0)
         .scale(1e250)
         .finite(Finite::Between);
     type Inputs<T: Component> = Direction<T>;

@@ -39,7 +39,7 @@ pub struct TorqueLinear;
 impl Formula for TorqueLinear {
     const SPEC: Spec = Spec::new("slide_line.torque_linear", "Torque over ISL21A", SOURCE)
         .equation(r"T = 2\pi\ell\left[p_1\Bigl(\tfrac{r_1^2}{4}+\tfrac{r_1 r_2}{6}+\tfrac{r_2^2}{12}\Bigr) + p_2\Bigl(\tfrac{r_1^2}{12}+\tfrac{r_1 r_2}{6}+\tfrac{r_2^2}{4}\Bigr)\right],\quad r_i = x_{i,1}\quad (i = 1, 2),\quad \ell = \lvert\mathbf{x}_2-\mathbf{x}_1\rvert")
-        .eta(3.0, 12.0)
+        .eta(3.0, 29.0)
         .scale(1e120)
         .finite(Finite::Below)
         .not_objective();
@@ -195,6 +195,7 @@ impl Formula for TorqueParabolic {
         // A quadratic that is ≥ 0 at the nodes can be negative between them, and the weight of a node always is somewhere: terms
         // of opposite signs then cancel in the sum.
         .eta(16.0, 96.0)
+        .apart()
         .scale(1e3)
         .finite(Finite::Between)
         .not_objective();

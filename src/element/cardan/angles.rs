@@ -34,7 +34,8 @@ impl Formula for CardanAngles {
         ),
     )
         .equation(r"\alpha = -\operatorname{atan2}(\mathbf{e}_{2a}\cdot\mathbf{e}_{3b},\ \mathbf{e}_{3a}\cdot\mathbf{e}_{3b}),\quad \beta = \arcsin(\mathbf{e}_{1a}\cdot\mathbf{e}_{3b}),\quad \gamma = -\operatorname{atan2}(\mathbf{e}_{1a}\cdot\mathbf{e}_{2b},\ \mathbf{e}_{1a}\cdot\mathbf{e}_{1b})")
-        .eta(2.0, 4.0)
+        .eta(3.0, 4.0)
+        .normwise(3.0, 8.0)
         .scale(1e250)
         .finite(Finite::Between);
     type Inputs<T: Component> = Triads<T>;

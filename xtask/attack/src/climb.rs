@@ -211,6 +211,7 @@ impl Climb<'_> {
     /// The height of a point; −∞ if it is refused or beyond the stated sizes, and where nothing can be said in `f64`.
     fn height(&mut self, target: usize, inputs: &[f64], height: Height) -> f64 {
         self.evaluations += 1;
+        let bound = self.bound(target);
         let target = &self.targets[target];
         if !self.space.has(inputs) {
             return f64::NEG_INFINITY;
@@ -220,7 +221,11 @@ impl Climb<'_> {
         if is_refused || !self.pass.at(target.own.0).is_finite() {
             return f64::NEG_INFINITY;
         }
+        let apart = self.formula.spec().apart;
         if height == Height::Exact {
+            if !self.pass.is_apart(target, apart) {
+                return f64::NEG_INFINITY;
+            }
             let eta = exact::eta(self.graph, target, inputs, &self.pass);
             return if eta.is_finite() { eta } else { f64::NEG_INFINITY };
         }
@@ -230,7 +235,9 @@ impl Climb<'_> {
             size = size.max(self.pass.errors(*node, needed, false).size);
         }
         let found = if height == Height::Most { errors.most } else { errors.actual.abs() } / size;
-        if found.is_finite() && size > f64::MIN_POSITIVE / f64::EPSILON { found } else { f64::NEG_INFINITY }
+        let is_sound = found.is_finite() && size > f64::MIN_POSITIVE / f64::EPSILON;
+        // Few points are so high that the distance from singular ones matters.
+        if is_sound && (found < bound / 2.0 || self.pass.is_apart(target, apart)) { found } else { f64::NEG_INFINITY }
     }
 
     fn keep(&mut self, target: usize, eta: f64, inputs: Vec<f64>) {

@@ -1,6 +1,7 @@
 //! One pass forwards and one backwards over the operations that a result needs, in `f64`.
 
 use crate::rounding;
+use crate::target::Target;
 use jointproof::toolkit::graph::{Binary, Graph, Node, Op, Unary};
 
 /// Unit roundoff of `f64`, 2⁻⁵³.
@@ -149,6 +150,25 @@ impl<'a> Pass<'a> {
             }
         }
         errors
+    }
+
+    /// Whether no divisor of a result vanishes for relative changes of the inputs by less than this, after a pass forwards.
+    pub(crate) fn is_apart(&mut self, target: &Target, least: f64) -> bool {
+        if target.singular.is_empty() {
+            return true;
+        }
+        self.backwards(&[(target.own.0, 1.0)], &target.own.1);
+        let is_live = |(node, _): &&(Node, Vec<_>)| self.slopes[node.index()] != 0.0;
+        let live: Vec<_> = target.singular.iter().filter(is_live).collect();
+        live.into_iter().all(|(_, numbers)| {
+            let (mut size, mut change) = (0.0_f64, 0.0);
+            for (node, needed) in numbers {
+                size = size.max(self.at(*node).abs());
+                let errors = self.errors(*node, needed, false);
+                change += errors.size - self.at(*node).abs();
+            }
+            size >= change * least
+        })
     }
 
     /// The derivatives of the result of the last pass backwards, by input; `inputs` is their number.

@@ -15,6 +15,8 @@ pub(crate) struct Target {
     pub(crate) beside: Vec<(Node, Vec<Node>)>,
     /// Everything that these need, and what tells whether inputs are refused.
     pub(crate) needed: Vec<Node>,
+    /// The operations that are singular somewhere, and the numbers that vanish there, with what they need.
+    pub(crate) singular: Vec<(Node, Vec<(Node, Vec<Node>)>)>,
 }
 
 /// All targets of a formula, each once.
@@ -43,7 +45,10 @@ pub(crate) fn targets(formula: &dyn AnyFormula, graph: &Graph) -> Vec<Target> {
             let all: Vec<_> = beside.iter().copied().chain([own]).chain(graph.refusal).collect();
             let with_needed = |node| (node, graph.needed(&[node]));
             let beside = beside.into_iter().map(with_needed).collect();
-            Target { is_jacobian, own: with_needed(own), beside, needed: graph.needed(&all) }
+            let (needed, own) = (graph.needed(&all), with_needed(own));
+            let singular = if formula.spec().apart > 0.0 { graph.singular(&own.1) } else { Vec::new() };
+            let singular = singular.into_iter().map(|(node, all)| (node, all.into_iter().map(with_needed).collect()));
+            Target { is_jacobian, own, beside, needed, singular: singular.collect() }
         })
         .collect()
 }

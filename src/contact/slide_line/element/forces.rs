@@ -65,7 +65,7 @@ impl Formula for Linear {
     const SPEC: Spec = Spec::new("slide_line.nodal_forces_linear", "Nodal forces of contact on a straight segment", OURS)
         .equation(r"\mathbf{f}_s = A\,(S_{11}\,\mathbf{n} - S_{12}\,\mathbf{t}),\quad \mathbf{f}_1 = -\tfrac12(1-g)\,\mathbf{f}_s,\quad \mathbf{f}_2 = -\tfrac12(1+g)\,\mathbf{f}_s")
         .given(&[Given::new(r"\mathbf{t},\ \mathbf{n}", &LocalBasis::SPEC), Given::new(r"\mathbf{X}'", &LinearPoint::SPEC)])
-        .eta_of_value(2.0)
+        .eta_of_value(3.0)
         .scale(1e120)
         .finite(Finite::Between);
     type Inputs<T: Component> = LinearLoads<T>;
@@ -98,7 +98,8 @@ impl Formula for Parabolic {
         .equation(r"\mathbf{f}_s = A\,(S_{11}\,\mathbf{n} - S_{12}\,\mathbf{t}),\quad \mathbf{f}_1 = -\tfrac12 g(g-1)\,\mathbf{f}_s,\quad \mathbf{f}_2 = -(1-g^2)\,\mathbf{f}_s,\quad \mathbf{f}_3 = -\tfrac12 g(g+1)\,\mathbf{f}_s")
         .given(&[Given::new(r"\mathbf{t},\ \mathbf{n}", &LocalBasis::SPEC), Given::new(r"\mathbf{X}'", &ParabolicPoint::SPEC)])
         .eta_of_value(2.0)
-        .normwise_of_value(2.0)
+        .normwise_of_value(4.5)
+        .apart()
         .scale(1e150)
         .finite(Finite::Between);
     type Inputs<T: Component> = ParabolicLoads<T>;
