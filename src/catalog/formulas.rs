@@ -1,5 +1,6 @@
 //! Formulas whose types the compiler does not know.
 
+use super::worst;
 use crate::connector::align;
 use crate::formula::proof::{Case, Convention, Flag, Proved};
 use crate::formula::{Described, Field, Fields, Formula, check, entries, value, value_and_jacobian};
@@ -190,6 +191,7 @@ impl<F: Proved> AnyFormula for F {
     fn subject(&self) -> Subject {
         let mut subject = Subject::of::<F>();
         subject.record = || Cow::Borrowed(graph::recorded::<F>());
+        subject.worst = worst::cases(F::SPEC.id, subject.inputs);
         subject
     }
     fn value(&self, components: &[f64]) -> Result<Vec<f64>, Error> {

@@ -157,10 +157,11 @@ impl Spec {
         Self { scale, ..self }
     }
 
-    /// The bounds of η hold only from a billionth of the sizes of the inputs away from a singular point.
+    /// The bounds of η hold where no divisor, root, length or angle's point vanishes if the inputs change by less than this part of
+    /// their sizes.
     #[must_use]
-    pub const fn apart(self) -> Self {
-        Self { apart: 1e-9, ..self }
+    pub const fn apart(self, apart: f64) -> Self {
+        Self { apart, ..self }
     }
 
     /// The sizes of inputs at which the bounds of η hold, in words.

@@ -91,7 +91,7 @@ impl Formula for Constraint {
     // errors remain in the sum.
     .eta(4.0, 24.0)
     .normwise(8.0, 12.0)
-    .apart()
+    .apart(1e-9)
     .scale(1e250)
     .finite(Finite::Between)
     .not_objective();

@@ -96,7 +96,7 @@ impl Formula for Rows {
         // none is above 6.
         .eta_of_value(6.0)
         .normwise_of_value(12.0)
-        .apart()
+        .apart(1e-9)
         .scale(1e250)
         .finite(Finite::Between)
         .not_objective();

@@ -1,7 +1,6 @@
 #![allow(missing_docs)]
 use attack::{Effort, attack};
 use jointproof::catalog::CATALOG;
-use jointproof::catalog::AnyFormula;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 fn main() {
@@ -25,7 +24,7 @@ fn main() {
                             let entry = claim.worst.as_ref().map_or(String::new(), |w| w.entry.clone());
                             let mark = if worst > claim.bound { "REFUTED" } else { "" };
                             text += &format!(" | {}{} {worst:.3} of {} (E/S {most:.2}) {mark} {entry}", if claim.claim.contains("Jacobian") { "J" } else { "V" }, if claim.is_normwise() { "n" } else { "" }, claim.bound);
-                            if worst > claim.bound { text += &format!("\n     {}", claim.worst.as_ref().unwrap().inputs); }
+                            if let Some(w) = &claim.worst { text += &format!("\n     {}", w.inputs); }
                         }
                         println!("{text}");
                     }

@@ -1,18 +1,17 @@
 //! The backward error of one result in 237 bits, without computing those that nobody asks for.
 
 use crate::pass::{Pass, U};
-use crate::rounding::constant;
 use crate::target::Target;
 use jointproof::Octuple;
 use jointproof::toolkit::graph::{Graph, Node, Op};
 use num_traits::Signed;
 
 /// η of a target at inputs, given the pass forwards in `f64` there. Where the double takes another branch than the exact
-/// number, since they are within roundings of a kink, a derivative may be that of either branch.
+/// number, since they are within roundings of a kink, the result may be that of either branch.
 pub(crate) fn eta(graph: &Graph, target: &Target, inputs: &[f64], pass: &Pass) -> f64 {
     let (exact, differs) = results(graph, &target.needed, inputs, None);
     let mut eta = eta_beside(graph, target, inputs, pass, &exact);
-    if target.is_jacobian && differs(pass) {
+    if differs(pass) {
         let (forced, _) = results(graph, &target.needed, inputs, Some(pass));
         eta = eta.min(eta_beside(graph, target, inputs, pass, &forced));
     }
@@ -32,7 +31,6 @@ fn results<'a>(
     let mut answers = Vec::new();
     for &node in needed {
         all[node.index()] = match (graph.op(node), forced) {
-            (Op::Number(bits), _) => constant(f64::from_bits(*bits)),
             (Op::Compare(..), Some(pass)) => pass.at(node).into(),
             (op, _) => op.result(&inputs, &all),
         };
@@ -52,7 +50,10 @@ fn eta_beside(graph: &Graph, target: &Target, inputs: &[f64], pass: &Pass, all: 
     let own = size(&target.own);
     let size = target.beside.iter().map(size).fold(own, |most, size| if size > most { size } else { most });
     let node = target.own.0;
-    let deviation = (Octuple::from(pass.at(node)) - all[node.index()]).abs();
+    let mut deviation = (Octuple::from(pass.at(node)) - all[node.index()]).abs();
+    if target.is_angle && deviation > Octuple::PI {
+        deviation = (deviation - Octuple::PI * 2.0).abs();
+    }
     // Half the smallest subnormal, since no double is closer than that to an exact result.
     (deviation / (size * U + Octuple::from(f64::from_bits(1)) * 0.5)).to_f64()
 }

@@ -15,5 +15,7 @@ mod pass;
 mod rounding;
 mod space;
 mod target;
+#[cfg(test)]
+mod tests;
 
 pub use climb::{Attack, Effort, attack};

@@ -1,17 +1,11 @@
 //! The rounding of one operation: how large it can be, and how large it is.
 
 use jointproof::Octuple;
-use jointproof::number::scalar::{e_minus_one, norm, pi};
-use jointproof::toolkit::graph::{Binary, Graph, Node, Op, Unary};
+use jointproof::number::scalar::norm;
+use jointproof::toolkit::graph::{Binary, Graph, Node, Number, Op, Unary};
 
 /// Library functions are within two units in the last place of the result, and mostly within half of one.
 const LIBRARY: f64 = 2.0;
-
-/// The exact number for which a constant of a graph stands, the nearest double of which is recorded.
-pub(crate) fn constant(x: f64) -> Octuple {
-    let known = [pi::<Octuple>(), e_minus_one::<Octuple>()].into_iter().find(|known| known.to_f64() == x.abs());
-    known.map_or(Octuple::from(x), |known| if x < 0.0 { -known } else { known })
-}
 
 /// Whether a factor or divisor changes no digit.
 fn is_power_of_two(graph: &Graph, node: Node) -> bool {
@@ -22,7 +16,7 @@ fn is_power_of_two(graph: &Graph, node: Node) -> bool {
 pub(crate) fn most(graph: &Graph, node: Node, all: &[f64]) -> f64 {
     let at = |node: Node| all[node.index()];
     match graph.op(node) {
-        Op::Number(bits) => f64::from(u8::from(constant(f64::from_bits(*bits)) != Octuple::from(f64::from_bits(*bits)))),
+        Op::Number(_) => f64::from(u8::from(Octuple::constant(at(node)) != at(node))),
         Op::Unary(function, _) => match function {
             Unary::Negative | Unary::Absolute | Unary::PowerOfTwo | Unary::NearestInteger => 0.0,
             Unary::Root => 1.0,
@@ -48,7 +42,7 @@ pub(crate) fn actual(graph: &Graph, node: Node, all: &[f64]) -> f64 {
     let wide = |node: Node| Octuple::from(at(node));
     let off = |exact: Octuple| (Octuple::from(result) - exact).to_f64();
     match graph.op(node) {
-        Op::Number(_) => off(constant(result)),
+        Op::Number(_) => off(Octuple::constant(result)),
         Op::Unary(Unary::Root, x) if result > 0.0 => result.mul_add(result, -at(*x)) / (2.0 * result),
         Op::Unary(function, x) if most(graph, node, all) > 0.0 => off(function.of(wide(*x))),
         Op::Binary(Binary::Add, x, y) => -lost(at(*x), at(*y), result),

@@ -1,6 +1,6 @@
 //! The space of inputs: the sizes and the values that a formula states, and the random numbers to move in it.
 
-use crate::target::{count, ranges};
+use crate::target::ranges;
 use jointproof::catalog::AnyFormula;
 use jointproof::formula::quantity::{Domain, Node, Unit};
 use rand_chacha::ChaCha8Rng;
@@ -25,7 +25,6 @@ pub(crate) struct Space {
     pub(crate) triads: Vec<Triad>,
     /// The components that are not of a triad.
     pub(crate) free: Vec<usize>,
-    pub(crate) number: usize,
     scale: f64,
 }
 
@@ -56,7 +55,7 @@ impl Space {
             nodes[known].1.axes[axis - 1] = Some(range.start);
         }
         let triads = nodes.into_iter().map(|(_, triad)| triad).collect();
-        Self { places, triads, free, number: count(fields), scale: formula.spec().scale }
+        Self { places, triads, free, scale: formula.spec().scale }
     }
 
     /// Whether every component is in its domain and of the stated sizes.

@@ -2,6 +2,7 @@
 
 use jointproof::catalog::AnyFormula;
 use jointproof::formula::Field;
+use jointproof::formula::quantity::Domain;
 use jointproof::toolkit::graph::{Graph, Node, Op};
 use std::collections::HashSet;
 use std::ops::Range;
@@ -9,6 +10,8 @@ use std::ops::Range;
 /// A result whose error is searched, with those beside which it is judged.
 pub(crate) struct Target {
     pub(crate) is_jacobian: bool,
+    /// Whether it is an angle, which is the same after a full turn.
+    pub(crate) is_angle: bool,
     /// The result, and the operations that it needs.
     pub(crate) own: (Node, Vec<Node>),
     /// The same of those beside it; none unless the bounds are normwise.
@@ -25,7 +28,7 @@ pub(crate) fn targets(formula: &dyn AnyFormula, graph: &Graph) -> Vec<Target> {
     let (number, normwise) = (count(inputs), formula.spec().normwise.is_some());
     let of_value = (0..graph.value.len()).map(|output| {
         let others = others(outputs, output).map(|other| graph.value[other]);
-        (false, graph.value[output], others.collect::<Vec<_>>())
+        ([false, is_angle(outputs, output)], graph.value[output], others.collect::<Vec<_>>())
     });
     let of_jacobian = (0..graph.jacobian.len()).map(|entry| {
         let (output, input) = (entry / number, entry % number);
@@ -33,22 +36,22 @@ pub(crate) fn targets(formula: &dyn AnyFormula, graph: &Graph) -> Vec<Target> {
         let by_outputs = others(outputs, output).map(|other| other * number + input);
         let is_scalar = others(inputs, input).next().is_none();
         let others: Vec<_> = if is_scalar { by_outputs.collect() } else { by_inputs.collect() };
-        (true, graph.jacobian[entry], others.into_iter().map(|other| graph.jacobian[other]).collect())
+        ([true, false], graph.jacobian[entry], others.into_iter().map(|other| graph.jacobian[other]).collect())
     });
     let mut known = HashSet::new();
     of_value
         .chain(of_jacobian)
         .filter(|(_, own, _)| !matches!(graph.op(*own), Op::Input(_) | Op::Number(_)))
-        .map(|(is_jacobian, own, beside)| (is_jacobian, own, if normwise { beside } else { Vec::new() }))
+        .map(|(kind, own, beside)| (kind, own, if normwise { beside } else { Vec::new() }))
         .filter(|target| known.insert(target.clone()))
-        .map(|(is_jacobian, own, beside)| {
+        .map(|([is_jacobian, is_angle], own, beside)| {
             let all: Vec<_> = beside.iter().copied().chain([own]).chain(graph.refusal).collect();
             let with_needed = |node| (node, graph.needed(&[node]));
             let beside = beside.into_iter().map(with_needed).collect();
             let (needed, own) = (graph.needed(&all), with_needed(own));
             let singular = if formula.spec().apart > 0.0 { graph.singular(&own.1) } else { Vec::new() };
             let singular = singular.into_iter().map(|(node, all)| (node, all.into_iter().map(with_needed).collect()));
-            Target { is_jacobian, own, beside, needed, singular: singular.collect() }
+            Target { is_jacobian, is_angle, own, beside, needed, singular: singular.collect() }
         })
         .collect()
 }
@@ -56,6 +59,12 @@ pub(crate) fn targets(formula: &dyn AnyFormula, graph: &Graph) -> Vec<Target> {
 /// The other components of the field that has this one.
 fn others(fields: &[Field], component: usize) -> impl Iterator<Item = usize> + use<> {
     ranges(fields).into_iter().find(|range| range.contains(&component)).unwrap_or(0..0).filter(move |&k| k != component)
+}
+
+/// Whether a component is of an angle.
+fn is_angle(fields: &[Field], component: usize) -> bool {
+    let field = ranges(fields).iter().position(|range| range.contains(&component));
+    field.is_some_and(|field| fields[field].quantity.domain == Domain::Angle)
 }
 
 /// The components of each field.

@@ -70,7 +70,7 @@ impl Formula for ClosestParabolic {
 .given(&[Given::new(r"\mathbf{X}(g),\ \mathbf{X}'", &ParabolicPoint::SPEC), Given::new(r"\mathbf{n}", &LocalBasis::SPEC)])
         .eta(4.0, 12.0)
         .normwise(4.0, 8.0)
-        .apart()
+        .apart(0.01)
         .scale(1e3)
         .finite(Finite::Between);
     type Inputs<T: Component> = ParabolicSlave<T>;

@@ -99,7 +99,7 @@ impl Formula for Parabolic {
         .given(&[Given::new(r"\mathbf{t},\ \mathbf{n}", &LocalBasis::SPEC), Given::new(r"\mathbf{X}'", &ParabolicPoint::SPEC)])
         .eta_of_value(2.0)
         .normwise_of_value(4.5)
-        .apart()
+        .apart(1e-9)
         .scale(1e150)
         .finite(Finite::Between);
     type Inputs<T: Component> = ParabolicLoads<T>;
