@@ -100,7 +100,7 @@ impl Formula for ContactAreaParabolic {
         .equation(r"A_i = 2\pi r_i\,w_i\,\lvert\mathbf{X}'(g_i)\rvert,\quad r_i = x_{i,1}\quad (i = 1, 2, 3),\quad (w_1, w_2, w_3) = (\tfrac13, \tfrac43, \tfrac13),\quad (g_1, g_2, g_3) = (-1, 0, 1)")
 .given(&[Given::new(r"\mathbf{X}'(g)", &ParabolicPoint::SPEC)])
         .eta(3.0, 7.0)
-        .apart(0.01)
+        .apart(1e-9)
         .scale(1e250)
         .finite(Finite::Below)
         .not_objective();

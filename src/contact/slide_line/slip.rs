@@ -117,7 +117,8 @@ impl Formula for SlipIncrementParabolic {
     .equation(r"\Delta E_{12} = \mathbf{t}\cdot\Bigl(\Delta\mathbf{x}_s - \sum_{i=1}^{3} N_i\,\Delta\mathbf{x}_i\Bigr),\quad N_1 = \tfrac12 g(g-1),\quad N_2 = 1-g^2,\quad N_3 = \tfrac12 g(g+1)")
 .given(&[Given::new(r"\mathbf{t}", &LocalBasis::SPEC), Given::new(r"\mathbf{X}'", &ParabolicPoint::SPEC)])
     .eta(7.0, 5.0)
-    .apart(0.01)
+    .normwise(7.0, 16.0)
+    .apart(1e-9)
     .scale(1e10)
     .finite(Finite::Between);
     type Inputs<T: Component> = ParabolicMotion<T>;

@@ -195,6 +195,7 @@ impl Formula for TorqueParabolic {
         // A quadratic that is ≥ 0 at the nodes can be negative between them, and the weight of a node always is somewhere: terms
         // of opposite signs then cancel in the sum.
         .eta(16.0, 96.0)
+        .normwise(9.0, 170.0)
         .apart(0.01)
         .scale(1e3)
         .finite(Finite::Between)

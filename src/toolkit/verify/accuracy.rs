@@ -110,7 +110,8 @@ pub(super) fn check_accuracy(
     let before = (value.clone(), jacobian.as_deref().cloned());
     check_everywhere(value, jacobian.as_deref_mut(), point, names, exact);
     let has_failed = |now: &Claim, before: &Claim| now.failures > before.failures;
-    if (has_failed(value, &before.0) || jacobian.as_deref().zip(before.1.as_ref()).is_some_and(|(now, before)| has_failed(now, before)))
+    if (has_failed(value, &before.0)
+        || jacobian.as_deref().zip(before.1.as_ref()).is_some_and(|(now, before)| has_failed(now, before)))
         && point.subject.graph().is_ok_and(|graph| graph.distance_from_singular(&point.inputs) < spec.apart)
     {
         *value = before.0;
@@ -120,13 +121,7 @@ pub(super) fn check_accuracy(
     }
 }
 
-fn check_everywhere(
-    value: &mut Claim,
-    jacobian: Option<&mut Claim>,
-    point: &Point,
-    names: &Names,
-    exact: &Exact,
-) {
+fn check_everywhere(value: &mut Claim, jacobian: Option<&mut Claim>, point: &Point, names: &Names, exact: &Exact) {
     let (subject, inputs) = (point.subject, &point.inputs);
     let [with_jacobian, linearized] = (subject.linearized)(inputs);
     let other = OnceCell::new();
@@ -155,13 +150,19 @@ fn check_value<'a>(
             let own = eta(computed, near(value), sensitivity);
             let vector = || own.min(eta_beside(computed, near(value), beside(output)));
             let sizes = iter::once(own).chain(spec.normwise.iter().map(|_| vector()));
+            let by_fields = || {
+                let row = |k: usize| &exact.ad[k * point.exact.len()..][..point.exact.len()];
+                let size = |k: usize| by_fields(point, row(k)).plus(exact.values[k]);
+                let all = outputs_beside(point, output).chain([output]);
+                spec.normwise.map(|_| eta_beside(computed, near(value), largest(all.map(size))))
+            };
             let there = || {
                 let side = other_side()?;
                 let [values, _] = side.outputs();
                 let beside = outputs_beside(point, output).map(|k| values[k]);
-                Some(eta_there(computed, near(side.result(values[output])), side, values[output], beside, spec))
+                Some(eta_there(computed, near(side.result(values[output])), (side, values[output]), beside, point))
             };
-            claim.record_last_or(sizes, claim.bound, there, describe);
+            claim.record_last_or(sizes, claim.bound, [&by_fields, &there], describe);
         }
     }
 }
@@ -170,13 +171,20 @@ fn check_value<'a>(
 fn eta_there(
     computed: f64,
     exact: Octuple,
-    side: &OtherSide,
-    node: Node,
+    (side, node): (&OtherSide, Node),
     beside: impl Iterator<Item = Node>,
-    spec: &Spec,
+    point: &Point,
 ) -> f64 {
-    let others = beside.filter(|_| spec.normwise.is_some());
-    eta_beside(computed, exact, largest(iter::once(node).chain(others).map(|node| side.size(node))))
+    if point.subject.spec.normwise.is_none() {
+        return eta_beside(computed, exact, side.size(node));
+    }
+    let size = |node| side.size_by_fields(point.subject.inputs, node);
+    eta_beside(computed, exact, largest(iter::once(node).chain(beside).map(size)))
+}
+
+/// The sensitivity to whole vectors of a number with this gradient.
+fn by_fields(point: &Point, gradient: &[Octuple]) -> Sensitivity {
+    Sensitivity::by_fields(point.subject.inputs, gradient, &point.exact)
 }
 
 /// Whether an output is an angle, which is the same after a full turn.
@@ -208,6 +216,7 @@ fn check_jacobian<'a>(
     other_side: impl Fn() -> Option<&'a OtherSide<'a>>,
 ) {
     let ([alone, together], spec) = (jacobians, &point.subject.spec);
+    let second = OnceCell::new();
     for (entry, ((&alone, &together), &ad)) in alone.iter().zip(&together).zip(&exact.ad).enumerate() {
         let mut judge = |computed| {
             let own = exact.sensitivities_up_to(point, entry).map(|bend| eta(computed, ad, bend));
@@ -216,14 +225,21 @@ fn check_jacobian<'a>(
                 own.min(eta_beside(computed, ad, exact.largest_beside(point, entry)))
             };
             let sizes = own.chain(spec.normwise.iter().map(|_| vector()));
+            let by_fields = || {
+                let gradients =
+                    spec.normwise.map(|_| second.get_or_init(|| point.subject.second_derivative(&point.exact)))?;
+                let size = |k: usize| by_fields(point, &gradients[k]).plus(exact.ad[k]);
+                let all = entries_beside(point, entry).chain([entry]);
+                Some(eta_beside(computed, ad, largest(all.map(size))))
+            };
             let there = || {
                 let side = other_side()?;
                 let [_, entries] = side.outputs();
                 let beside = entries_beside(point, entry).map(|k| entries[k]);
-                Some(eta_there(computed, side.result(entries[entry]), side, entries[entry], beside, spec))
+                Some(eta_there(computed, side.result(entries[entry]), (side, entries[entry]), beside, point))
             };
             let describe = |size| point.deviation(size, names.entry(entry), computed, ad.to_f64());
-            claim.record_last_or(sizes, claim.bound, there, describe)
+            claim.record_last_or(sizes, claim.bound, [&by_fields, &there], describe)
         };
         let size = judge(alone);
         // The same number is judged only once.

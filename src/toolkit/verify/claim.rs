@@ -92,15 +92,16 @@ impl Claim {
         bound: f64,
         describe: impl FnOnce(f64) -> Deviation,
     ) -> f64 {
-        self.record_last_or(sizes, bound, || None, describe)
+        self.record_last_or(sizes, bound, [], describe)
     }
 
-    /// As [`record_last`](Self::record_last), with another deviation that counts as well where the last one exceeds the limit.
-    pub(super) fn record_last_or(
+    /// As [`record_last`](Self::record_last), with other deviations, each of which counts as well where those before it exceed the
+    /// limit.
+    pub(super) fn record_last_or<const N: usize>(
         &mut self,
         sizes: impl IntoIterator<Item = f64>,
         bound: f64,
-        other: impl FnOnce() -> Option<f64>,
+        others: [&dyn Fn() -> Option<f64>; N],
         describe: impl FnOnce(f64) -> Deviation,
     ) -> f64 {
         let enough = self.worst.as_ref().map_or(f64::NEG_INFINITY, |worst| worst.size).min(bound);
@@ -111,8 +112,10 @@ impl Claim {
                 break;
             }
         }
-        if last > bound {
-            last = other().map_or(last, |other| other.min(last));
+        for other in others {
+            if last > bound {
+                last = other().map_or(last, |other| other.min(last));
+            }
         }
         self.record(last, bound, describe);
         last

@@ -1,6 +1,8 @@
 //! The error measures.
 
 use crate::Octuple;
+use crate::formula::Field;
+use num_dual::DualNum;
 use num_traits::{Signed, Zero};
 
 /// Unit roundoff of `f64`, 2⁻⁵³.
@@ -15,6 +17,19 @@ impl Sensitivity {
     pub fn new(gradient: &[Octuple], inputs: &[Octuple]) -> Self {
         let terms = gradient.iter().zip(inputs).map(|(&g, &x)| (g * x).abs());
         Self(terms.fold(Octuple::zero(), |sum, term| sum + term))
+    }
+
+    /// The same by whole vectors, Σ |∂y/∂x| |x| over the fields x: the change of y where each vector changes by its size in the worst
+    /// direction. It does not depend on the axes.
+    pub(crate) fn by_fields(fields: &[Field], gradient: &[Octuple], inputs: &[Octuple]) -> Self {
+        let (mut sum, mut start) = (Octuple::zero(), 0);
+        for field in fields {
+            let range = start..start + field.len();
+            start = range.end;
+            let length = |all: &[Octuple]| all.iter().fold(Octuple::zero(), |sum, &x| sum + x * x).sqrt();
+            sum += length(&gradient[range.clone()]) * length(&inputs[range]);
+        }
+        Self(sum)
     }
 
     /// For a number that depends on no input.

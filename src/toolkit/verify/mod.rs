@@ -68,10 +68,10 @@ mod shard;
 mod subject;
 mod trial;
 
+pub(crate) use accuracy::eta_point;
 #[cfg(feature = "measure")]
 pub(crate) use audit::beside_kinks;
 pub use audit::{Audit, audit_at};
-pub(crate) use accuracy::eta_point;
 pub(crate) use audit::{audit_equation, audit_point};
 pub use claim::{Claim, Deviation};
 pub use difference::central_differences;

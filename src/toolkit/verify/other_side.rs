@@ -7,11 +7,16 @@ use super::Sensitivity;
 use super::eta::U;
 use super::point::Point;
 use crate::Octuple;
-use crate::toolkit::graph::{Graph, Node, Op};
+use crate::formula::Field;
+use crate::toolkit::graph::{Graph, Node, Number, Op, Search};
 use num_traits::Signed;
 
 /// A comparison may come out otherwise if its sides differ by at most this many roundings of them and of the inputs.
 const ROUNDINGS: f64 = 8.0;
+/// Results of a search that differ by less are the same place, found with other roundings.
+const SAME_PLACE: f64 = 1e-6;
+/// The combinations of changes that are tried.
+const TRIES: usize = 64;
 
 /// The exact results of the branch that `f64` takes.
 pub(super) struct OtherSide<'a> {
@@ -30,10 +35,12 @@ impl<'a> OtherSide<'a> {
         let mut differs = false;
         for (k, op) in graph.ops().iter().enumerate() {
             side.all[k] = op.result(side.inputs, &side.all);
-            if let Op::Compare(_, x, y) = *op
-                && side.all[k].to_f64() != in_double[k]
-                && side.are_within_roundings(x, y)
-            {
+            let is_other = match op {
+                Op::Compare(_, x, y) => side.all[k].to_f64() != in_double[k] && side.are_within_roundings(*x, *y),
+                Op::Search(search, numbers) => side.is_found_beside(search, numbers, side.all[k], in_double[k]),
+                _ => false,
+            };
+            if is_other {
                 side.all[k] = in_double[k].into();
                 differs = true;
             }
@@ -46,6 +53,21 @@ impl<'a> OtherSide<'a> {
         difference <= self.size(x).and(self.size(y)).size() * (U * ROUNDINGS)
     }
 
+    /// Whether a search finds another result if its numbers change by roundings: two places are equally good.
+    fn is_found_beside(&self, search: &Search, numbers: &[Node], exact: Octuple, found: f64) -> bool {
+        let are_same = |x: Octuple| (x - found).abs() <= (x.abs() + 1.0) * SAME_PLACE;
+        if are_same(exact) {
+            return false;
+        }
+        let numbers: Vec<_> = numbers.iter().map(|&node| self.result(node)).collect();
+        // Each number changed up or down, as the bits of an index say.
+        (0..TRIES).any(|trial: usize| {
+            let sign = |k: usize| if (trial * (2 * k + 3) + trial / (k + 1)) % 2 == 0 { ROUNDINGS } else { -ROUNDINGS };
+            let changed: Vec<_> = numbers.iter().enumerate().map(|(k, &x)| x + x * (sign(k) * U)).collect();
+            are_same(Octuple::found(search, &changed))
+        })
+    }
+
     /// The result of an operation.
     pub(super) fn result(&self, node: Node) -> Octuple {
         self.all[node.index()]
@@ -53,8 +75,16 @@ impl<'a> OtherSide<'a> {
 
     /// Its size, with its sensitivity to the inputs.
     pub(super) fn size(&self, node: Node) -> Sensitivity {
-        let gradient = self.graph.gradient(node, &self.graph.needed(&[node]), &self.all, self.inputs.len());
-        Sensitivity::new(&gradient, self.inputs).plus(self.result(node))
+        Sensitivity::new(&self.gradient(node), self.inputs).plus(self.result(node))
+    }
+
+    /// The same by whole vectors.
+    pub(super) fn size_by_fields(&self, fields: &[Field], node: Node) -> Sensitivity {
+        Sensitivity::by_fields(fields, &self.gradient(node), self.inputs).plus(self.result(node))
+    }
+
+    fn gradient(&self, node: Node) -> Vec<Octuple> {
+        self.graph.gradient(node, &self.graph.needed(&[node]), &self.all, self.inputs.len())
     }
 
     /// The operations that compute the value, and the Jacobian.

@@ -4,7 +4,7 @@ use crate::exact;
 use crate::moves::{Around, Reach};
 use crate::pass::Pass;
 use crate::space::{Dice, Space};
-use crate::target::{Target, targets};
+use crate::target::{Target, fields, targets};
 use jointproof::catalog::AnyFormula;
 use jointproof::toolkit::graph::{Graph, NotRecorded};
 use jointproof::toolkit::verify::{Claim, Options};
@@ -72,7 +72,7 @@ pub fn attack(formula: &dyn AnyFormula, effort: Effort, seed: u64) -> Result<Att
     let points = formula.judge().points(&options).into_iter().map(|(_, inputs)| inputs);
     let pool: Vec<_> = points.filter(|inputs| space.has(inputs) && formula.value(inputs).is_ok()).collect();
     let states = targets.iter().map(|_| State::default()).collect();
-    let pass = Pass::over(&graph);
+    let pass = Pass::over(&graph, fields(formula));
     let claims = pool.first().and_then(|inputs| formula.eta_at(inputs).ok()).unwrap_or_default();
     let mut climb = Climb {
         formula,
@@ -166,9 +166,7 @@ impl Climb<'_> {
         let (mut inputs, plan): (_, &[_]) = match (dice.below(10), kept) {
             (0..4, Some(kept)) => (kept, &[(Height::Actual, Reach::Near, many)]),
             (4, Some(kept)) => (kept, &[(Height::Exact, Reach::Near, few)]),
-            (5, Some(kept)) => {
-                (kept, &[(Height::Most, Reach::Far, many), (Height::Actual, Reach::Near, many)])
-            }
+            (5, Some(kept)) => (kept, &[(Height::Most, Reach::Far, many), (Height::Actual, Reach::Near, many)]),
             (6, _) => (fresh, &[(Height::Exact, Reach::Far, few)]),
             _ => (fresh, &[(Height::Most, Reach::Far, many), (Height::Actual, Reach::Near, many)]),
         };
@@ -191,7 +189,15 @@ impl Climb<'_> {
         self.keep(target, eta, inputs);
     }
 
-    fn climb(&mut self, target: usize, inputs: &mut Vec<f64>, height: Height, reach: Reach, steps: usize, dice: &mut Dice) {
+    fn climb(
+        &mut self,
+        target: usize,
+        inputs: &mut Vec<f64>,
+        height: Height,
+        reach: Reach,
+        steps: usize,
+        dice: &mut Dice,
+    ) {
         let around = Around { graph: self.graph, space: self.space, target: &self.targets[target] };
         let mut best = self.height(target, inputs, height);
         for _ in 0..steps {

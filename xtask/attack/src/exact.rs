@@ -3,7 +3,7 @@
 use crate::pass::{Pass, U};
 use crate::target::Target;
 use jointproof::Octuple;
-use jointproof::toolkit::graph::{Graph, Node, Op};
+use jointproof::toolkit::graph::{Graph, Node, Op, Unary};
 use num_traits::Signed;
 
 /// η of a target at inputs, given the pass forwards in `f64` there. Where the double takes another branch than the exact
@@ -44,7 +44,12 @@ fn results<'a>(
 fn eta_beside(graph: &Graph, target: &Target, inputs: &[f64], pass: &Pass, all: &[Octuple]) -> f64 {
     let size = |(node, needed): &(Node, Vec<Node>)| {
         let gradient = graph.gradient(*node, needed, all, inputs.len());
-        let terms = gradient.iter().zip(inputs).map(|(&slope, &x)| (slope * x).abs());
+        let square = |all: &[Octuple]| all.iter().fold(Octuple::from(0.0), |sum, &x| sum + x * x);
+        let inputs: Vec<_> = inputs.iter().map(|&x| Octuple::from(x)).collect();
+        let terms = pass
+            .fields
+            .iter()
+            .map(|field| Unary::Root.of(square(&gradient[field.clone()]) * square(&inputs[field.clone()])));
         terms.fold(all[node.index()].abs(), |sum, term| sum + term)
     };
     let own = size(&target.own);

@@ -33,7 +33,11 @@ impl Around<'_> {
 
     fn step_once(&self, inputs: &mut [f64], pass: &mut Pass, reach: Reach, dice: &mut Dice) {
         let Space { triads, free, .. } = self.space;
-        let turns = if triads.is_empty() { 0.0 } else { triads.len() as f64 * 3.0 / (free.len() as f64 + 3.0 * triads.len() as f64) };
+        let turns = if triads.is_empty() {
+            0.0
+        } else {
+            triads.len() as f64 * 3.0 / (free.len() as f64 + 3.0 * triads.len() as f64)
+        };
         if dice.unit() < turns.min(0.6) {
             return self.turn(inputs, reach, dice);
         }
@@ -71,7 +75,8 @@ impl Around<'_> {
     /// Multiplies a component by a factor whose logarithm is drawn by size.
     fn stretch(&self, inputs: &mut [f64], low: f64, high: f64, dice: &mut Dice) {
         let Some(&k) = dice.one_of(&self.space.free) else { return };
-        inputs[k] = if inputs[k] == 0.0 { dice.doublings(-12.0, 12.0) } else { inputs[k] * dice.doublings(low, high).exp2() };
+        inputs[k] =
+            if inputs[k] == 0.0 { dice.doublings(-12.0, 12.0) } else { inputs[k] * dice.doublings(low, high).exp2() };
     }
 
     /// Multiplies all components of a field by one factor.
@@ -113,7 +118,8 @@ impl Around<'_> {
     fn turn(&self, inputs: &mut [f64], reach: Reach, dice: &mut Dice) {
         let Some(triad) = dice.one_of(&self.space.triads) else { return };
         let mut vectors = triad.read(inputs);
-        if reach == Reach::Far && dice.below(12) == 0
+        if reach == Reach::Far
+            && dice.below(12) == 0
             && let Some(other) = dice.one_of(&self.space.triads)
         {
             let (others, first) = (other.read(inputs), dice.below(3));
@@ -143,7 +149,9 @@ impl Around<'_> {
             let Some(&node) = dice.one_of(&target.needed) else { return };
             of = match *graph.op(node) {
                 Op::Binary(Binary::Add, ..) | Op::Unary(..) => Some([(node, 1.0), (node, 0.0)]),
-                Op::Binary(Binary::Subtract | Binary::Maximum, x, y) | Op::Compare(_, x, y) => Some([(x, 1.0), (y, -1.0)]),
+                Op::Binary(Binary::Subtract | Binary::Maximum, x, y) | Op::Compare(_, x, y) => {
+                    Some([(x, 1.0), (y, -1.0)])
+                }
                 Op::Binary(Binary::Angle, x, y) => Some([(if dice.below(2) == 0 { x } else { y }, 1.0), (node, 0.0)]),
                 _ => None,
             };
@@ -154,7 +162,8 @@ impl Around<'_> {
         let Some(of) = of else { return };
         pass.forwards(&target.needed, inputs);
         let number = |node: Node| if graph.is_answer(node) { f64::NAN } else { pass.at(node) };
-        let difference: f64 = of.iter().filter(|(_, weight)| *weight != 0.0).map(|&(node, weight)| weight * number(node)).sum();
+        let difference: f64 =
+            of.iter().filter(|(_, weight)| *weight != 0.0).map(|&(node, weight)| weight * number(node)).sum();
         if !difference.is_finite() || difference == 0.0 {
             return;
         }

@@ -3,6 +3,7 @@
 use crate::rounding;
 use crate::target::Target;
 use jointproof::toolkit::graph::{Binary, Graph, Node, Op, Unary};
+use std::ops::Range;
 
 /// Unit roundoff of `f64`, 2⁻⁵³.
 pub(crate) const U: f64 = f64::EPSILON / 2.0;
@@ -12,6 +13,10 @@ pub(crate) struct Pass<'a> {
     graph: &'a Graph,
     pub(crate) all: Vec<f64>,
     pub(crate) slopes: Vec<f64>,
+    /// The components of the fields, if sensitivities are to whole vectors; else of each component by itself.
+    pub(crate) fields: Vec<Range<usize>>,
+    /// The derivatives of the last result with respect to the inputs, and the inputs.
+    gradient: Vec<[f64; 2]>,
 }
 
 /// The error of a result and what it is judged by, to first order.
@@ -26,9 +31,10 @@ pub(crate) struct Errors {
 }
 
 impl<'a> Pass<'a> {
-    pub(crate) fn over(graph: &'a Graph) -> Self {
+    pub(crate) fn over(graph: &'a Graph, fields: Vec<Range<usize>>) -> Self {
         let empty = vec![0.0; graph.ops().len()];
-        Self { graph, all: empty.clone(), slopes: empty }
+        let inputs = fields.last().map_or(0, |field| field.end);
+        Self { graph, all: empty.clone(), slopes: empty, fields, gradient: vec![[0.0; 2]; inputs] }
     }
 
     pub(crate) fn at(&self, node: Node) -> f64 {
@@ -132,13 +138,14 @@ impl<'a> Pass<'a> {
     pub(crate) fn errors(&mut self, of: Node, needed: &[Node], with_actual: bool) -> Errors {
         self.backwards(&[(of, 1.0)], needed);
         let mut errors = Errors { size: self.at(of).abs(), ..Errors::default() };
+        self.gradient.fill([0.0; 2]);
         for &node in needed {
             let slope = self.slopes[node.index()];
             if slope == 0.0 {
                 continue;
             }
-            if let Op::Input(_) = self.graph.op(node) {
-                errors.size += (slope * self.at(node)).abs();
+            if let Op::Input(k) = *self.graph.op(node) {
+                self.gradient[k] = [slope, self.at(node)];
                 continue;
             }
             let most = rounding::most(self.graph, node, &self.all);
@@ -149,6 +156,11 @@ impl<'a> Pass<'a> {
                 }
             }
         }
+        let length = |field: &Range<usize>, part: usize| match self.gradient[field.clone()] {
+            [both] => both[part].abs(),
+            ref all => all.iter().fold(0.0, |length: f64, both| length.hypot(both[part])),
+        };
+        errors.size += self.fields.iter().map(|field| length(field, 0) * length(field, 1)).sum::<f64>();
         errors
     }
 

@@ -77,6 +77,14 @@ pub(crate) fn ranges(fields: &[Field]) -> Vec<Range<usize>> {
     fields.iter().map(next).collect()
 }
 
-pub(crate) fn count(fields: &[Field]) -> usize {
+/// The components of what the sensitivities of a formula are to: of whole vectors if its bounds are normwise.
+pub(crate) fn fields(formula: &dyn AnyFormula) -> Vec<Range<usize>> {
+    if formula.spec().normwise.is_some() {
+        return ranges(formula.inputs());
+    }
+    (0..count(formula.inputs())).map(|k| k..k + 1).collect()
+}
+
+fn count(fields: &[Field]) -> usize {
     fields.iter().map(Field::len).sum()
 }

@@ -108,7 +108,8 @@ fn a_bound_that_is_proved_is_not_refuted() {
     let found = attack(&slot::ContactForce, Effort::Evaluations(300_000), 3).expect("it is recorded");
     assert!(found.holds(), "{:?}", found.claims);
     assert!(found.first_order[0] <= 1.0 + 1e-9 && found.first_order[1] <= 3.0 + 1e-9, "{:?}", found.first_order);
-    let reached: Vec<_> = found.claims.iter().map(|claim| claim.worst.as_ref().map_or(0.0, |worst| worst.size)).collect();
+    let reached: Vec<_> =
+        found.claims.iter().map(|claim| claim.worst.as_ref().map_or(0.0, |worst| worst.size)).collect();
     assert!(reached[0] > 0.9 && reached[1] > 2.2, "{reached:?}");
 }
 
@@ -120,7 +121,7 @@ fn visit(formula: &dyn AnyFormula, mut visit: impl FnMut(&Space, &Around, &[f64]
     let start = &starts.last().expect("random ones are the last").1;
     for target in &targets {
         let around = Around { graph: &graph, space: &space, target };
-        let (mut inputs, mut pass) = (start.clone(), Pass::over(&graph));
+        let (mut inputs, mut pass) = (start.clone(), Pass::over(&graph, crate::target::fields(formula)));
         for k in 0..60 {
             let mut moved = inputs.clone();
             around.step(&mut moved, &mut pass, if k % 2 == 0 { Reach::Far } else { Reach::Near }, &mut dice);

@@ -69,7 +69,7 @@ impl Formula for ClosestParabolic {
         .equation(r"g = \operatorname*{arg\,min}_{-1 \le g \le 1}\,\lvert\mathbf{x}_s-\mathbf{X}(g)\rvert,\quad E_{11} = \bigl(\mathbf{x}_s-\mathbf{X}(g)\bigr)\cdot\mathbf{n}")
 .given(&[Given::new(r"\mathbf{X}(g),\ \mathbf{X}'", &ParabolicPoint::SPEC), Given::new(r"\mathbf{n}", &LocalBasis::SPEC)])
         .eta(4.0, 12.0)
-        .normwise(4.0, 8.0)
+        .normwise(6.5, 24.0)
         .apart(0.01)
         .scale(1e3)
         .finite(Finite::Between);

@@ -112,6 +112,7 @@ impl Formula for ClosestSmoothedLinear {
         // Above 8 at a few random points: the derivative of the separation with respect to f, if both segments are nearly
         // collinear.
         .eta(4.0, 48.0)
+        .normwise(6.0, 96.0)
         .apart(0.01)
         .scale(1e3)
         .finite(Finite::Between);
