@@ -111,9 +111,11 @@ impl Spec {
         self.eta.jacobian.is_some()
     }
 
-    /// Normwise bounds of η, of value and Jacobian. A component of a vector or matrix, or a derivative with respect to
-    /// one, that exceeds the bound is judged against the largest other component, as if it were as large and changed
-    /// as much. Which component is small depends on the axes, and what cancels in one does not cancel in the others.
+    /// Normwise bounds of η, of value and Jacobian. A number that exceeds the bound is judged by what changes of whole vectors cause,
+    /// Σ |∂y/∂x| |x| + |y| over the inputs x, and by the largest such size of the numbers beside it: the other components of the same
+    /// vector or matrix; of a derivative, those with respect to the other components of the same input, or where that is a scalar, the
+    /// derivatives of the other components of the same output. Which component is small depends on the axes, and what cancels in one
+    /// does not cancel in the others.
     #[must_use]
     pub const fn normwise(self, value: f64, jacobian: f64) -> Self {
         Self { normwise: Some(Bounds { value, jacobian: Some(jacobian) }), ..self }
@@ -125,8 +127,8 @@ impl Spec {
     /// use jointproof::connector::slider::rows::Rows;
     /// use jointproof::formula::Formula;
     /// use jointproof::connector::ujoint::HingeAxial;
-    /// assert_eq!(HingeAxial::SPEC.accuracy(), "η at most 2 of the value, 3 of the Jacobian");
-    /// assert_eq!(Rows::SPEC.accuracy(), "η at most 5 of the value, normwise; the Jacobian is automatic");
+    /// assert_eq!(HingeAxial::SPEC.accuracy(), "η at most 2.5 of the value, 5.5 of the Jacobian");
+    /// assert_eq!(Rows::SPEC.accuracy(), "η at most 12 of the value, normwise; the Jacobian is automatic");
     /// ```
     pub fn accuracy(&self) -> String {
         let (Bounds { value, jacobian }, by) = self.bounds();

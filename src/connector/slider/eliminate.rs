@@ -61,7 +61,7 @@ impl Formula for Eliminate {
         .equation(r"\begin{aligned} x_{m,i} &= x_{1,i} + \frac{n_i}{n_k}(x_{m,k}-x_{1,k}),\quad x_{m,j} = x_{1,j} + \frac{n_j}{n_k}(x_{m,k}-x_{1,k}), \\ (i, j, k) &= \begin{cases} (2, 1, 3) & \lvert d_3\rvert \ge \lvert d_2\rvert,\ d_2^2 + d_3^2 \ge \lvert d_1 d_3\rvert,\ d_3 \ne 0 \\ (2, 3, 1) & \lvert d_3\rvert \ge \lvert d_2\rvert \\ (3, 1, 2) & d_2^2 + d_3^2 \ge \lvert d_1 d_2\rvert \\ (3, 2, 1) & \text{otherwise} \end{cases},\quad \mathbf{d} = \mathbf{x}_n-\mathbf{x}_1 \end{aligned}")
 .given(&[Given::new(r"\mathbf{n}", &Line::SPEC)])
         .eta(4.0, 7.0)
-        .scale(1e250)
+        .scale(1e150)
         .finite(Finite::Between)
         .not_objective();
     type Inputs<T: Component> = KeptCoordinate<T>;

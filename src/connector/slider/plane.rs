@@ -175,7 +175,7 @@ impl Formula for Eliminate2d {
     .equation(r"x_{m,i} = x_{1,i} + \frac{n_i}{n_k}(x_{m,k}-x_{1,k})")
     .given(&[Given::new(r"i,\ k", &Increment2d::SPEC), Given::new(r"\mathbf{n}", &Line::SPEC)])
     .eta(4.0, 7.0)
-    .scale(1e250)
+    .scale(1e150)
     .finite(Finite::Between)
     .not_objective();
     type Inputs<T: Component> = KeptCoordinate2d<T>;

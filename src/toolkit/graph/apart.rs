@@ -40,3 +40,18 @@ impl Graph {
         least
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::connector::slider::Line;
+    use crate::toolkit::graph::record;
+
+    /// The length of a line of 1e-3 between nodes at 1 vanishes if both move by half of it, which is 5e-4 of their coordinates.
+    #[test]
+    fn a_divisor_that_cancels_is_as_far_as_its_terms_have_to_change() {
+        let graph = record::<Line>().expect("it is recorded");
+        let near = graph.distance_from_singular(&[1.0, 0.0, 0.0, 1.001, 0.0, 0.0]);
+        let far = graph.distance_from_singular(&[1.0, 2.0, 3.0, -1.0, -2.0, -3.0]);
+        assert!((near / 5e-4 - 1.0).abs() < 1e-2 && far > 0.2, "{near} {far}");
+    }
+}

@@ -133,6 +133,18 @@ mod tests {
         assert_eq!(Sensitivity::none().size(), 0.0);
     }
 
+    /// |(−4, 3)| |(3, −4)| for a vector, 12 + 12 for two numbers.
+    #[test]
+    fn a_sensitivity_to_a_vector_does_not_depend_on_its_components() {
+        use crate::formula::quantity::{F2, XA_PLANE};
+        let size = |fields: &[Field]| {
+            let [gradient, inputs] = [[-4.0, 3.0], [3.0, -4.0]].map(|all| all.map(Octuple::from));
+            Sensitivity::by_fields(fields, &gradient, &inputs).size()
+        };
+        assert_eq!(size(&[Field::new("x", &XA_PLANE)]), 25.0);
+        assert_eq!(size(&[Field::new("f", &F2), Field::new("g", &F2)]), 24.0);
+    }
+
     #[test]
     fn a_share_is_relative_but_of_nothing_and_of_what_is_no_number() {
         let share_of = |deviation: f64| of_product().share_of(deviation.into());

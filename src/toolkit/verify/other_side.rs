@@ -92,3 +92,76 @@ impl<'a> OtherSide<'a> {
         [&self.graph.value, &self.graph.jacobian]
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::coulomb::Response;
+    use crate::contact::slide_line::ClosestParabolic;
+    use crate::toolkit::verify::accuracy::eta_point;
+    use crate::toolkit::verify::subject::Subject;
+
+    fn point<'a>(subject: &'a Subject, inputs: &[f64]) -> Point<'a> {
+        Point::new(subject, "here".into(), false, inputs.to_vec())
+    }
+
+    /// The trial force 0.1 · 3 is rounded up to the limit, so that the contact slips in `f64` and sticks exactly.
+    const ROUNDED: [f64; 5] = [3.0, 0.0, 0.1, 1.0, 0.300_000_000_000_000_04];
+
+    #[test]
+    fn nearer_to_a_kink_than_a_rounding_the_branch_of_double_is_seen() {
+        let subject = Subject::of::<Response>();
+        let here = point(&subject, &ROUNDED);
+        let side = OtherSide::at(&here).expect("the branches differ");
+        let [value, jacobian] = side.outputs();
+        // In slip the force is the limit, whose derivative with respect to the normal force is 1.
+        assert_eq!((side.result(value[0]), side.result(jacobian[4])), (ROUNDED[4].into(), 1.0.into()));
+        assert_eq!((subject.exact_jacobian)(&here.exact)[4], 0.0);
+        for claim in eta_point(&subject, ROUNDED.to_vec()) {
+            assert!(claim.held(), "{claim:?}");
+        }
+    }
+
+    #[test]
+    fn where_both_take_one_branch_there_is_no_other() {
+        let subject = Subject::of::<Response>();
+        for limit in [0.3, 0.299, 0.301, 0.300_000_000_000_000_1] {
+            let inputs = [3.0, 0.0, 0.1, 1.0, limit];
+            assert!(OtherSide::at(&point(&subject, &inputs)).is_none(), "{limit}");
+        }
+    }
+
+    /// Two sides that differ by 7 roundings of one of them may be taken for each other, and not by 100.
+    #[test]
+    fn a_comparison_is_not_turned_over_farther_away() {
+        let subject = Subject::of::<Response>();
+        let here = point(&subject, &ROUNDED);
+        let side = OtherSide::at(&here).expect("the branches differ");
+        let comparisons = side.graph.ops().iter().filter_map(|op| match *op {
+            Op::Compare(_, x, y) => Some([x, y]),
+            _ => None,
+        });
+        let near = |[x, y]: [Node; 2]| side.are_within_roundings(x, y);
+        let (all, near) = comparisons.fold((0, 0), |(all, close), both| (all + 1, close + usize::from(near(both))));
+        assert!(near > 0 && near < all, "{near} of {all}");
+    }
+
+    /// A slave point as far from one end of a parabola as from the other: both feet are right, and no third one.
+    #[test]
+    fn two_places_that_are_equally_near_are_both_found() {
+        let subject = Subject::of::<ClosestParabolic>();
+        let here = point(&subject, &[0.0, 3.0, -1.0, 0.0, 0.0, -1.0, 1.0, 0.0]);
+        let graph = subject.graph().expect("it is recorded");
+        let all = graph.results(&here.exact, (0..graph.ops().len()).map(Node::at));
+        let side = OtherSide { graph, inputs: &here.exact, all };
+        let searched = graph.ops().iter().enumerate().find_map(|(k, op)| match op {
+            Op::Search(search, numbers) => Some((k, search, numbers)),
+            _ => None,
+        });
+        let (k, search, numbers) = searched.expect("a foot is searched");
+        let exact = side.all[k];
+        let found = |place: f64| side.is_found_beside(search, numbers, exact, place);
+        assert_eq!(exact.abs(), 1.0);
+        assert!(found(-exact.to_f64()) && !found(exact.to_f64()) && !found(0.5), "{}", exact.to_f64());
+    }
+}

@@ -143,7 +143,7 @@ impl Formula for ClosestSmoothedParabolic {
         // Of a million entries at random points one is above 128: derivatives with respect to f between nodes whose distances
         // differ by factors of 1e6, where the ends move nearly along the tangent.
         .eta(4.0, 512.0)
-        .normwise(8.0, 64.0)
+        .normwise(8.0, 512.0)
         .apart(0.01)
         .scale(1e3)
         .finite(Finite::Between);
