@@ -26,3 +26,38 @@ pub(super) fn cases(id: &str, inputs: &[Field]) -> Vec<Case<Vec<f64>>> {
     };
     ["value", "jacobian"].into_iter().filter_map(of).collect()
 }
+
+#[cfg(all(test, feature = "catalog"))]
+mod tests {
+    use super::*;
+    use crate::catalog::find;
+
+    /// Every point is of a formula that there is, is valid, and is a case of it.
+    #[test]
+    fn every_point_is_a_case() {
+        assert!(!POINTS.is_empty());
+        for (id, points) in &*POINTS {
+            let formula = find(id).unwrap_or_else(|| panic!("{id} is in the catalog"));
+            let cases = cases(id, formula.inputs());
+            assert_eq!(cases.len(), points.len(), "{id}");
+            for case in cases {
+                assert!(formula.value_and_closed_jacobian(&case.inputs).is_ok(), "{id} {}", case.id);
+                assert!(formula.golden_cases().contains(&case), "{id} {}", case.id);
+            }
+        }
+    }
+
+    /// The points are nearly as bad as the bounds before the search: a program with other roundings is judged there.
+    #[test]
+    fn every_point_is_bad() {
+        for (id, points) in &*POINTS {
+            let formula = find(id).unwrap_or_else(|| panic!("{id} is in the catalog"));
+            for (what, point) in points {
+                let inputs = components(formula.inputs(), point).expect("it was read before");
+                let claims = formula.eta_at(&inputs).expect("it is valid");
+                let worst = claims[usize::from(what == "jacobian")].worst.as_ref().expect("it was checked");
+                assert!(worst.size > 0.9, "{id} {what}: {}", worst.size);
+            }
+        }
+    }
+}

@@ -168,7 +168,7 @@ impl Formula for AxialFactors {
     )
         .equation(r"\alpha_{\mathrm{axial}} = \frac{\lambda^2+3}{2(\lambda^2+6)},\quad \beta_{\mathrm{axial}} = \frac{3}{2(\lambda^2+6)},\quad \lambda = \frac{L_a}{R_p}")
         .eta(2.5, 7.5)
-        .scale(1e50)
+        .scale(1e120)
         .finite(Finite::Between);
     type Inputs<T: Component> = Arm<T>;
     type Outputs<T: Component> = AxialShares<T>;

@@ -119,7 +119,7 @@ impl Formula for SlipIncrementParabolic {
     .eta(7.0, 5.0)
     .normwise(7.0, 16.0)
     .apart(1e-9)
-    .scale(1e10)
+    .scale(1e20)
     .finite(Finite::Between);
     type Inputs<T: Component> = ParabolicMotion<T>;
     type Outputs<T: Component> = Slip<T>;

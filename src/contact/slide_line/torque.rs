@@ -197,7 +197,7 @@ impl Formula for TorqueParabolic {
         .eta(16.0, 96.0)
         .normwise(9.0, 170.0)
         .apart(0.01)
-        .scale(1e3)
+        .scale(1e50)
         .finite(Finite::Between)
         .not_objective();
     type Inputs<T: Component> = ParabolicPressures<T>;

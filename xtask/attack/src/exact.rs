@@ -9,47 +9,34 @@ use num_traits::Signed;
 /// η of a target at inputs, given the pass forwards in `f64` there. Where the double takes another branch than the exact
 /// number, since they are within roundings of a kink, the result may be that of either branch.
 pub(crate) fn eta(graph: &Graph, target: &Target, inputs: &[f64], pass: &Pass) -> f64 {
-    let (exact, differs) = results(graph, &target.needed, inputs, None);
-    let mut eta = eta_beside(graph, target, inputs, pass, &exact);
-    if differs(pass) {
-        let (forced, _) = results(graph, &target.needed, inputs, Some(pass));
-        eta = eta.min(eta_beside(graph, target, inputs, pass, &forced));
+    let inputs: Vec<_> = inputs.iter().map(|&x| Octuple::from(x)).collect();
+    let exact = results(graph, target, &inputs, None);
+    let eta = eta_beside(graph, target, &inputs, pass, &exact);
+    let differs = |node: &Node| pass.at(*node) != exact[node.index()].to_f64();
+    if !target.needed.iter().any(|node| matches!(graph.op(*node), Op::Compare(..)) && differs(node)) {
+        return eta;
     }
-    eta
+    eta.min(eta_beside(graph, target, &inputs, pass, &results(graph, target, &inputs, Some(pass))))
 }
 
-/// All results in 237 bits, with the comparisons as they come out there or, if given, in a pass in `f64`; and whether they
-/// come out otherwise in another pass.
-fn results<'a>(
-    graph: &'a Graph,
-    needed: &'a [Node],
-    inputs: &[f64],
-    forced: Option<&Pass>,
-) -> (Vec<Octuple>, impl Fn(&Pass) -> bool + use<'a>) {
-    let inputs: Vec<_> = inputs.iter().map(|&x| Octuple::from(x)).collect();
+/// All results in 237 bits, with the comparisons as they come out there or, if given, in a pass in `f64`.
+fn results(graph: &Graph, target: &Target, inputs: &[Octuple], forced: Option<&Pass>) -> Vec<Octuple> {
     let mut all = vec![Octuple::from(f64::NAN); graph.ops().len()];
-    let mut answers = Vec::new();
-    for &node in needed {
+    for &node in &target.needed {
         all[node.index()] = match (graph.op(node), forced) {
             (Op::Compare(..), Some(pass)) => pass.at(node).into(),
-            (op, _) => op.result(&inputs, &all),
+            (op, _) => op.result(inputs, &all),
         };
-        if let Op::Compare(..) = graph.op(node) {
-            answers.push((node, all[node.index()].to_f64()));
-        }
     }
-    (all, move |pass: &Pass| answers.iter().any(|&(node, answer)| pass.at(node) != answer))
+    all
 }
 
-fn eta_beside(graph: &Graph, target: &Target, inputs: &[f64], pass: &Pass, all: &[Octuple]) -> f64 {
+fn eta_beside(graph: &Graph, target: &Target, inputs: &[Octuple], pass: &Pass, all: &[Octuple]) -> f64 {
+    let square = |all: &[Octuple]| all.iter().fold(Octuple::from(0.0), |sum, &x| sum + x * x);
     let size = |(node, needed): &(Node, Vec<Node>)| {
         let gradient = graph.gradient(*node, needed, all, inputs.len());
-        let square = |all: &[Octuple]| all.iter().fold(Octuple::from(0.0), |sum, &x| sum + x * x);
-        let inputs: Vec<_> = inputs.iter().map(|&x| Octuple::from(x)).collect();
-        let terms = pass
-            .fields
-            .iter()
-            .map(|field| Unary::Root.of(square(&gradient[field.clone()]) * square(&inputs[field.clone()])));
+        let parts = pass.fields.iter().cloned();
+        let terms = parts.map(|part| Unary::Root.of(square(&gradient[part.clone()]) * square(&inputs[part])));
         terms.fold(all[node.index()].abs(), |sum, term| sum + term)
     };
     let own = size(&target.own);

@@ -48,3 +48,37 @@ fn of_one(id: &str, attack: &Attack) -> Result<String, std::fmt::Error> {
     }
     Ok(text)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use jointproof::toolkit::verify::{Claim, Deviation};
+
+    #[test]
+    fn what_is_refuted_is_said_so_with_its_point() {
+        let attack = |size: f64| Attack {
+            claims: vec![Claim {
+                claim: "η of the value in f64".into(),
+                bound: 1.5,
+                checks: 1,
+                failures: usize::from(size > 1.5),
+                worst: Some(Deviation {
+                    size,
+                    entry: "ma[2]".into(),
+                    point: "found".into(),
+                    found: 1.0,
+                    expected: 2.0,
+                    inputs: serde_json::json!({"x": 3.0}),
+                }),
+            }],
+            first_order: vec![2.5],
+            evaluations: 7,
+        };
+        let text = |size| anstream::adapter::strip_str(&of_one("a.b", &attack(size)).unwrap()).to_string();
+        let expected = "off a.b in 7 evaluations\n    possible    found    bound\n\
+             \u{20}       2.50     2.00     1.50  REFUTED: η of the value in f64\n\
+             \u{20}   worst of η of the value in f64: 2.00 at ma[2], found\n      found 1.0, expected 2.0\n      --point '{\"x\":3.0}'\n";
+        assert_eq!(text(2.0), expected);
+        assert!(text(1.25).starts_with("ok  a.b") && !text(1.25).contains("REFUTED"), "{}", text(1.25));
+    }
+}
