@@ -146,11 +146,11 @@ mod tests {
         assert!(near > 0 && near < all, "{near} of {all}");
     }
 
-    /// A slave point as far from one end of a parabola as from the other: both feet are right, and no third one.
+    /// A slave point on the axis of the parabola y = x² − 1, at 0: the feet at x = ±√½ are both right, and no third one.
     #[test]
     fn two_places_that_are_equally_near_are_both_found() {
         let subject = Subject::of::<ClosestParabolic>();
-        let here = point(&subject, &[0.0, 3.0, -1.0, 0.0, 0.0, -1.0, 1.0, 0.0]);
+        let here = point(&subject, &[0.0, 0.0, -1.0, 0.0, 0.0, -1.0, 1.0, 0.0]);
         let graph = subject.graph().expect("it is recorded");
         let all = graph.results(&here.exact, (0..graph.ops().len()).map(Node::at));
         let side = OtherSide { graph, inputs: &here.exact, all };
@@ -161,7 +161,7 @@ mod tests {
         let (k, search, numbers) = searched.expect("a foot is searched");
         let exact = side.all[k];
         let found = |place: f64| side.is_found_beside(search, numbers, exact, place);
-        assert_eq!(exact.abs(), 1.0);
-        assert!(found(-exact.to_f64()) && !found(exact.to_f64()) && !found(0.5), "{}", exact.to_f64());
+        assert!((exact.to_f64().abs() - 0.5_f64.sqrt()).abs() < 1e-15, "{}", exact.to_f64());
+        assert!(found(-exact.to_f64()) && !found(exact.to_f64()) && !found(0.5));
     }
 }
