@@ -189,8 +189,8 @@ fn by_fields(point: &Point, gradient: &[Octuple]) -> Sensitivity {
 
 /// Whether an output is an angle, which is the same after a full turn.
 fn is_angle(point: &Point, output: usize) -> bool {
-    let fields = point.subject.outputs.iter().flat_map(|field| iter::repeat_n(field, field.len()));
-    fields.skip(output).next().is_some_and(|field| field.quantity.domain == Domain::Angle)
+    let mut fields = point.subject.outputs.iter().flat_map(|field| iter::repeat_n(field, field.len()));
+    fields.nth(output).is_some_and(|field| field.quantity.domain == Domain::Angle)
 }
 
 /// The angle, or the one that is a full turn before or after it, whichever is nearest to a computed one: an angle of nearly half a

@@ -59,12 +59,14 @@ impl<'a> OtherSide<'a> {
         if are_same(exact) {
             return false;
         }
-        let numbers: Vec<_> = numbers.iter().map(|&node| self.result(node)).collect();
-        // Each number changed up or down, as the bits of an index say.
+        // What roundings change in each number: it may be a sum that cancels.
+        let change = |&node: &Node| (self.result(node), self.size(node).size() * (U * ROUNDINGS));
+        let numbers: Vec<_> = numbers.iter().map(change).collect();
+        // Each number changed up or down, in several combinations.
         (0..TRIES).any(|trial: usize| {
-            let sign = |k: usize| if (trial * (2 * k + 3) + trial / (k + 1)) % 2 == 0 { ROUNDINGS } else { -ROUNDINGS };
-            let changed: Vec<_> = numbers.iter().enumerate().map(|(k, &x)| x + x * (sign(k) * U)).collect();
-            are_same(Octuple::found(search, &changed))
+            let is_up = |k: usize| (trial * (2 * k + 3) + trial / (k + 1)).is_multiple_of(2);
+            let changed = numbers.iter().enumerate().map(|(k, &(x, by))| if is_up(k) { x + by } else { x - by });
+            are_same(Octuple::found(search, &changed.collect::<Vec<_>>()))
         })
     }
 
