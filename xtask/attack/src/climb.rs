@@ -179,10 +179,9 @@ impl Climb<'_> {
         if eta > worst * RAISE
             && let Ok(claims) = self.formula.eta_at(&inputs)
         {
-            let is_worse = |(known, found): (&Claim, &Claim)| size(found) > size(known);
-            for k in 0..claims.len() {
-                if is_worse((&self.claims[k], &claims[k])) {
-                    self.claims[k] = claims[k].clone();
+            for (known, found) in self.claims.iter_mut().zip(claims) {
+                if size(&found) > size(known) {
+                    *known = found;
                 }
             }
         }

@@ -33,12 +33,9 @@ impl Around<'_> {
 
     fn step_once(&self, inputs: &mut [f64], pass: &mut Pass, reach: Reach, dice: &mut Dice) {
         let Space { triads, free, .. } = self.space;
-        let turns = if triads.is_empty() {
-            0.0
-        } else {
-            triads.len() as f64 * 3.0 / (free.len() as f64 + 3.0 * triads.len() as f64)
-        };
-        if dice.unit() < turns.min(0.6) {
+        // As many turns as triads have components among the inputs, and never only turns.
+        let turned = 3 * triads.len();
+        if dice.below(free.len() + turned) < turned && (free.is_empty() || dice.below(3) > 0) {
             return self.turn(inputs, reach, dice);
         }
         let kind = dice.below(100);

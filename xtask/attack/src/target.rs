@@ -7,19 +7,22 @@ use jointproof::toolkit::graph::{Graph, Node, Op};
 use std::collections::HashSet;
 use std::ops::Range;
 
+/// An operation, and all that it needs.
+pub(crate) type Needed = (Node, Vec<Node>);
+
 /// A result whose error is searched, with those beside which it is judged.
 pub(crate) struct Target {
     pub(crate) is_jacobian: bool,
     /// Whether it is an angle, which is the same after a full turn.
     pub(crate) is_angle: bool,
     /// The result, and the operations that it needs.
-    pub(crate) own: (Node, Vec<Node>),
+    pub(crate) own: Needed,
     /// The same of those beside it; none unless the bounds are normwise.
-    pub(crate) beside: Vec<(Node, Vec<Node>)>,
+    pub(crate) beside: Vec<Needed>,
     /// Everything that these need, and what tells whether inputs are refused.
     pub(crate) needed: Vec<Node>,
     /// The operations that are singular somewhere, and the numbers that vanish there, with what they need.
-    pub(crate) singular: Vec<(Node, Vec<(Node, Vec<Node>)>)>,
+    pub(crate) singular: Vec<(Node, Vec<Needed>)>,
 }
 
 /// All targets of a formula, each once.
