@@ -8,7 +8,7 @@ use crate::number::scalar::{Leaf, abs, asin, atan2, e_minus_one, exp_m1, norm, p
 pub trait Number: Leaf {
     /// The result of a search from these numbers.
     fn found(search: &Search, numbers: &[Self]) -> Self;
-    /// The number for which a recorded constant stands: π and e − 1 are recorded as the nearest doubles.
+    /// The number for which a recorded constant stands: π and e − 1 are recorded as doubles.
     fn constant(x: f64) -> Self;
 }
 
@@ -23,8 +23,8 @@ impl Number for f64 {
 
 impl Number for Octuple {
     fn constant(x: f64) -> Self {
-        let known = [pi::<Self>(), e_minus_one()].into_iter().find(|known| known.to_f64() == x);
-        known.unwrap_or_else(|| x.into())
+        let known = [(pi::<f64>(), pi::<Self>()), (e_minus_one(), e_minus_one())];
+        known.into_iter().find(|(nearest, _)| *nearest == x).map_or(x.into(), |(_, exact)| exact)
     }
     fn found(search: &Search, numbers: &[Self]) -> Self {
         (search.find_exactly)(numbers)
