@@ -188,8 +188,8 @@ fn triads_stay_triads() {
     assert!(turned > 200, "{turned}");
 }
 
-/// The search judges by the graph, in which coefficients of the formula are recorded as doubles: that is a tenth of a rounding at
-/// most. What it reports is judged by the formula itself.
+/// The search judges by the graph, in which 1/(e − 1) of this formula is recorded as a double, half a rounding off or less. What it
+/// reports is judged by the formula itself.
 #[test]
 fn the_graph_in_237_bits_is_nearly_the_formula() {
     assert_eq!(Octuple::constant(std::f64::consts::PI), Octuple::PI);
@@ -197,6 +197,6 @@ fn the_graph_in_237_bits_is_nearly_the_formula() {
         let claims = interaction::PressureExponential.eta_at(inputs).expect("it is valid");
         let most = claims[usize::from(around.target.is_jacobian)].worst.as_ref().map_or(0.0, |worst| worst.size);
         let eta = exact::eta(around.graph, around.target, inputs, pass);
-        assert!(eta <= most + 0.1, "{eta} of {most} at {inputs:?}");
+        assert!(eta <= most + 0.5, "{eta} of {most} at {inputs:?}");
     });
 }
