@@ -4,6 +4,7 @@ mod elements;
 mod formulas;
 #[cfg(feature = "catalog")]
 mod list;
+mod worst;
 
 pub use elements::{AnyElement, Erased};
 pub use formulas::{AnyFormula, KinkEntry};

@@ -1,5 +1,6 @@
 //! Formulas whose types the compiler does not know.
 
+use super::worst;
 use crate::connector::align;
 use crate::formula::proof::{Case, Convention, Flag, Proved};
 use crate::formula::{Described, Field, Fields, Formula, check, entries, value, value_and_jacobian};
@@ -13,7 +14,7 @@ use crate::toolkit::measure;
 use crate::toolkit::measure::Measurement;
 use crate::toolkit::verify::{
     Audit, Claim, Judge, Kink, Options, Part, Printed, Shard, Sides, Subject, Trial, audit_equation, audit_point,
-    claims_about, eta_at_scale, exact, golden, kinks_as_printed, number_of, sides,
+    claims_about, eta_at_scale, eta_point, exact, golden, kinks_as_printed, number_of, sides,
 };
 use crate::{Error, Octuple};
 use std::borrow::Cow;
@@ -118,6 +119,14 @@ pub trait AnyFormula: Described {
         expect(count(self.inputs()), components.len())?;
         audit_point(&self.subject(), components.to_vec())
     }
+    /// The claims about the bounds of η at one point, given by components in order: of the value, and of a Jacobian in closed form.
+    ///
+    /// # Errors
+    /// As [`AnyFormula::value`], and if a result overflows.
+    fn eta_at(&self, components: &[f64]) -> Result<Vec<Claim>, Error> {
+        self.value_and_closed_jacobian(components)?;
+        Ok(eta_point(&self.subject(), components.to_vec()))
+    }
     /// Points at which an equation written by somebody else can be tried.
     fn trial(&self, options: &Options) -> Trial {
         Trial::of(&self.subject(), options)
@@ -182,6 +191,7 @@ impl<F: Proved> AnyFormula for F {
     fn subject(&self) -> Subject {
         let mut subject = Subject::of::<F>();
         subject.record = || Cow::Borrowed(graph::recorded::<F>());
+        subject.worst = worst::cases(F::SPEC.id, subject.inputs);
         subject
     }
     fn value(&self, components: &[f64]) -> Result<Vec<f64>, Error> {

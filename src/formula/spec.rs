@@ -49,6 +49,9 @@ pub struct Spec {
     pub normwise: Option<Bounds>,
     /// Both bounds of η hold if every component of the inputs is 0 or has a magnitude from 1/`scale` to `scale`.
     pub scale: f64,
+    /// Both bounds of η hold where no divisor, root, length or angle's point vanishes if the inputs change by less than this part
+    /// of their sizes; 0 if they hold everywhere. Nearer to a singular point, roundings are not small changes.
+    pub apart: f64,
     /// Whether translating and rotating the whole model does the same to the outputs (frame indifference). A formula
     /// that refers to the global axes is not objective.
     pub objective: bool,
@@ -75,8 +78,8 @@ impl Spec {
     /// An objective formula; the equation and the bounds are added by the methods below.
     pub const fn new(id: &'static str, title: &'static str, source: Source) -> Self {
         let (latex, given, eta) = ("", [].as_slice(), Bounds { value: 0.0, jacobian: None });
-        let (normwise, scale, objective, finite) = (None, Self::SCALE, true, Finite::Unknown);
-        Self { id, title, source, latex, given, eta, normwise, scale, objective, finite }
+        let (normwise, scale, apart, objective, finite) = (None, Self::SCALE, 0.0, true, Finite::Unknown);
+        Self { id, title, source, latex, given, eta, normwise, scale, apart, objective, finite }
     }
 
     /// The equation in LaTeX.
@@ -108,9 +111,11 @@ impl Spec {
         self.eta.jacobian.is_some()
     }
 
-    /// Normwise bounds of η, of value and Jacobian. A component of a vector or matrix, or a derivative with respect to
-    /// one, that exceeds the bound is judged against the largest other component, as if it were as large and changed
-    /// as much. Which component is small depends on the axes, and what cancels in one does not cancel in the others.
+    /// Normwise bounds of η, of value and Jacobian. A number that exceeds the bound is judged by what changes of whole vectors cause,
+    /// Σ |∂y/∂x| |x| + |y| over the inputs x, and by the largest such size of the numbers beside it: the other components of the same
+    /// vector or matrix; of a derivative, those with respect to the other components of the same input, or where that is a scalar, the
+    /// derivatives of the other components of the same output. Which component is small depends on the axes, and what cancels in one
+    /// does not cancel in the others.
     #[must_use]
     pub const fn normwise(self, value: f64, jacobian: f64) -> Self {
         Self { normwise: Some(Bounds { value, jacobian: Some(jacobian) }), ..self }
@@ -122,8 +127,8 @@ impl Spec {
     /// use jointproof::connector::slider::rows::Rows;
     /// use jointproof::formula::Formula;
     /// use jointproof::connector::ujoint::HingeAxial;
-    /// assert_eq!(HingeAxial::SPEC.accuracy(), "η at most 2 of the value, 3 of the Jacobian");
-    /// assert_eq!(Rows::SPEC.accuracy(), "η at most 5 of the value, normwise; the Jacobian is automatic");
+    /// assert_eq!(HingeAxial::SPEC.accuracy(), "η at most 2.5 of the value, 5.5 of the Jacobian");
+    /// assert_eq!(Rows::SPEC.accuracy(), "η at most 12 of the value, normwise; the Jacobian is automatic");
     /// ```
     pub fn accuracy(&self) -> String {
         let (Bounds { value, jacobian }, by) = self.bounds();
@@ -154,6 +159,13 @@ impl Spec {
         Self { scale, ..self }
     }
 
+    /// The bounds of η hold where no divisor, root, length or angle's point vanishes if the inputs change by less than this part of
+    /// their sizes.
+    #[must_use]
+    pub const fn apart(self, apart: f64) -> Self {
+        Self { apart, ..self }
+    }
+
     /// The sizes of inputs at which the bounds of η hold, in words.
     ///
     /// ```
@@ -162,7 +174,8 @@ impl Spec {
     /// assert_eq!(HingeAxial::SPEC.sizes(), "from 1/1e50 to 1e50");
     /// ```
     pub fn sizes(&self) -> String {
-        format!("from 1/{0:e} to {0:e}", self.scale)
+        let sizes = format!("from 1/{0:e} to {0:e}", self.scale);
+        if self.apart == 0.0 { sizes } else { format!("{sizes}, {:e} from singular points", self.apart) }
     }
 
     /// The inputs for which neither an output nor a derivative overflows, which makes checked calls cheap there.
@@ -174,8 +187,8 @@ impl Spec {
     /// With the bounds, the scale and the finite inputs of another formula that computes the same.
     #[must_use]
     pub const fn accurate_as(self, other: &Self) -> Self {
-        let Self { eta, normwise, scale, finite, .. } = *other;
-        Self { eta, normwise, scale, finite, ..self }
+        let Self { eta, normwise, scale, apart, finite, .. } = *other;
+        Self { eta, normwise, scale, apart, finite, ..self }
     }
 
     /// It refers to the global axes, so that rotating the model does not rotate the outputs with it.

@@ -15,6 +15,7 @@
 //! ```
 
 mod alter;
+mod apart;
 mod gather;
 mod join;
 mod level;

@@ -25,7 +25,7 @@ from oracle.core import bits_of, to_double, ulps_between
 from oracle.scales import four_digits_up, jacobian_scales, out_scales
 
 GOLDEN = Path(__file__).resolve().parents[2] / "golden"
-FLAGS = {"hand", "limit", "random", "hard", "kink", "invalid"}
+FLAGS = {"hand", "limit", "random", "hard", "worst", "kink", "invalid"}
 LAYOUT = 2
 PROVENANCE = {("printed", False), ("reconstructed", True), ("ours", True)}  # kind, and whether it says why
 SPECIAL = {"NaN": math.nan, "Infinity": math.inf, "-Infinity": -math.inf}

@@ -207,3 +207,32 @@ fn a_change_is_audited_where_it_reaches() {
     assert!(said.contains("join.rows") && !said.contains("join.constraint"), "{said}");
     bench.run(&["audit", "--since", "no-such-revision"]).bad_usage("--since 'no-such-revision'");
 }
+
+/// What a search finds is a point that an audit judges alike.
+#[test]
+fn an_attack_shows_points_that_can_be_audited() {
+    let ran = Bench::new().run(&["audit", "--filter", ID, "--attack", "1", "--evaluations", "30000"]).quiet();
+    let ran = ran.prints("possible    found    bound").prints("1 formula, ").prints(", 0 formulas refuted");
+    let points: Vec<_> = ran.stdout.lines().filter_map(|line| line.trim().strip_prefix("--point ")).collect();
+    assert_eq!(points.len(), 2, "{}", ran.stdout);
+    for (point, claim) in points.into_iter().zip(["η of the value in f64: ", "η of the closed-form Jacobian in f64: "])
+    {
+        let audit = audit(&["--point", point.trim_matches('\'')]);
+        let claims = [&audit.eta].into_iter().chain(&audit.eta_jacobian);
+        let sizes: Vec<_> = claims.map(|claim| claim.worst.as_ref().unwrap().size).collect();
+        assert!(
+            sizes.iter().any(|size| ran.stdout.contains(&format!("{claim}{size:.2} at"))),
+            "{sizes:?} {}",
+            ran.stdout
+        );
+    }
+}
+
+#[test]
+fn an_attack_takes_a_time_and_no_points() {
+    let bench = Bench::new();
+    bench.run(&["audit", "--filter", ID, "--attack=-1"]).bad_usage("--attack is -1; allowed is a time in seconds");
+    bench
+        .run(&["audit", "--filter", ID, "--attack", "1", "--samples", "5"])
+        .bad_usage("cannot be used with '--samples");
+}

@@ -59,7 +59,7 @@ impl Formula for Response {
         ),
     )
         .equation(r"f = \begin{cases} f^{\mathrm{trial}} & \lvert f^{\mathrm{trial}}\rvert < \mu F_N \\ \mu F_N \operatorname{sign} f^{\mathrm{trial}} & \text{otherwise}\end{cases},\quad f^{\mathrm{trial}} = f^- + k_{\mathrm{stick}}\,\Delta u,\quad \Delta s = \Delta u - \frac{f - f^-}{k_{\mathrm{stick}}}")
-        .eta(1.5, 1.5)
+        .eta(2.0, 4.0)
         .scale(1e250)
         .finite(Finite::Between);
     type Inputs<T: Component> = Sliding<T>;

@@ -39,7 +39,9 @@ pub struct TorqueLinear;
 impl Formula for TorqueLinear {
     const SPEC: Spec = Spec::new("slide_line.torque_linear", "Torque over ISL21A", SOURCE)
         .equation(r"T = 2\pi\ell\left[p_1\Bigl(\tfrac{r_1^2}{4}+\tfrac{r_1 r_2}{6}+\tfrac{r_2^2}{12}\Bigr) + p_2\Bigl(\tfrac{r_1^2}{12}+\tfrac{r_1 r_2}{6}+\tfrac{r_2^2}{4}\Bigr)\right],\quad r_i = x_{i,1}\quad (i = 1, 2),\quad \ell = \lvert\mathbf{x}_2-\mathbf{x}_1\rvert")
-        .eta(3.0, 12.0)
+        // The largest η that `audit --attack` found is 1.52 for the value, and 2.6 is possible to first order; for the Jacobian 17.9
+        // and 29.
+        .eta(3.0, 29.0)
         .scale(1e120)
         .finite(Finite::Below)
         .not_objective();
@@ -194,8 +196,11 @@ impl Formula for TorqueParabolic {
 .given(&[Given::new(r"\mathbf{X}'(g)", &ParabolicPoint::SPEC)])
         // A quadratic that is ≥ 0 at the nodes can be negative between them, and the weight of a node always is somewhere: terms
         // of opposite signs then cancel in the sum.
+        // The largest η that `audit --attack` found is 4.2 for the value, and 8.2 is possible to first order; for the Jacobian 64 and 183.
         .eta(16.0, 96.0)
-        .scale(1e3)
+        .normwise(9.0, 190.0)
+        .apart(0.01)
+        .scale(1e50)
         .finite(Finite::Between)
         .not_objective();
     type Inputs<T: Component> = ParabolicPressures<T>;

@@ -14,6 +14,8 @@ pub enum Flag {
     Random,
     /// Numerically hard.
     Hard,
+    /// Where a search that climbs found the largest backward error.
+    Worst,
     /// On a kink: see the register of kinks.
     Kink,
     /// Rejected.
@@ -28,6 +30,7 @@ impl Flag {
             Self::Limit => "limit",
             Self::Random => "random",
             Self::Hard => "hard",
+            Self::Worst => "worst",
             Self::Kink => "kink",
             Self::Invalid => "invalid",
         }

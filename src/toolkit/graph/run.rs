@@ -2,21 +2,30 @@
 
 use super::node::{Binary, Graph, Node, Op, Relation, Search, Unary};
 use crate::Octuple;
-use crate::number::scalar::{Leaf, abs, asin, atan2, exp_m1, norm};
+use crate::number::scalar::{Leaf, abs, asin, atan2, e_minus_one, exp_m1, norm, pi};
 
 /// A number in which a graph can be computed.
 pub trait Number: Leaf {
     /// The result of a search from these numbers.
     fn found(search: &Search, numbers: &[Self]) -> Self;
+    /// The number for which a recorded constant stands: π and e − 1 are recorded as doubles.
+    fn constant(x: f64) -> Self;
 }
 
 impl Number for f64 {
+    fn constant(x: f64) -> Self {
+        x
+    }
     fn found(search: &Search, numbers: &[Self]) -> Self {
         (search.find)(numbers)
     }
 }
 
 impl Number for Octuple {
+    fn constant(x: f64) -> Self {
+        let known = [(pi::<f64>(), pi::<Self>()), (e_minus_one(), e_minus_one())];
+        known.into_iter().find(|(nearest, _)| *nearest == x).map_or(x.into(), |(_, exact)| exact)
+    }
     fn found(search: &Search, numbers: &[Self]) -> Self {
         (search.find_exactly)(numbers)
     }
@@ -98,7 +107,7 @@ impl Op {
         let at = |node: Node| all[node.index()];
         match self {
             Self::Input(k) => inputs[*k],
-            Self::Number(bits) => T::from(f64::from_bits(*bits)),
+            Self::Number(bits) => T::constant(f64::from_bits(*bits)),
             Self::Unary(function, x) => function.of(at(*x)),
             Self::Binary(operation, x, y) => operation.of(at(*x), at(*y)),
             Self::MultiplyAdd(x, y, z) => at(*x).mul_add(at(*y), at(*z)),

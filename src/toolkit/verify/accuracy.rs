@@ -3,13 +3,18 @@
 use super::claim::Claim;
 use super::difference::of_same_field;
 use super::eta::eta_beside;
+use super::other_side::OtherSide;
 use super::point::{Names, Point};
 use super::sensitivities::Sensitivities;
+use super::subject::Subject;
 use super::{Sensitivity, eta};
 use crate::Octuple;
 use crate::formula::Spec;
 use crate::formula::proof::Convention;
+use crate::formula::quantity::Domain;
+use crate::toolkit::graph::Node;
 use num_traits::{Signed, Zero};
+use std::cell::OnceCell;
 use std::iter;
 
 /// The exact results at a point.
@@ -47,18 +52,31 @@ impl Exact {
             .fold(Octuple::zero(), |most, entry| if entry.abs() > most { entry.abs() } else { most })
     }
 
-    /// The largest of the entries for the same output and the other components of the same input, with its sensitivity.
+    /// The largest of the entries beside one, with its sensitivity.
     fn largest_beside(&self, point: &Point, k: usize) -> Sensitivity {
-        let (inputs, fields) = (point.exact.len(), point.subject.inputs);
-        let (row, input) = (k / inputs * inputs, k % inputs);
-        let beside = of_same_field(fields, input).filter(|&other| other != input).map(|other| row + other);
-        largest(beside.map(|entry| self.bend(point, entry).plus(self.ad[entry])))
+        largest(entries_beside(point, k).map(|entry| self.bend(point, entry).plus(self.ad[entry])))
     }
 
     /// The sensitivity of every output to the inputs.
     pub(super) fn sensitivities(&self, inputs: &[Octuple]) -> Vec<Sensitivity> {
         self.ad.chunks(inputs.len()).map(|gradient| Sensitivity::new(gradient, inputs)).collect()
     }
+}
+
+/// The other components of the output that has this one.
+fn outputs_beside(point: &Point, output: usize) -> impl Iterator<Item = usize> + use<> {
+    of_same_field(point.subject.outputs, output).filter(move |&other| other != output)
+}
+
+/// The entries beside which one is judged normwise: those for the other components of the same input, or where that is a scalar,
+/// those of the other components of the same output.
+fn entries_beside(point: &Point, k: usize) -> impl Iterator<Item = usize> + use<> {
+    let inputs = point.exact.len();
+    let (output, input) = (k / inputs, k % inputs);
+    let of_input = of_same_field(point.subject.inputs, input);
+    let is_scalar = of_input.len() == 1;
+    let by_output = outputs_beside(point, output).filter(move |_| is_scalar).map(move |other| other * inputs + input);
+    of_input.filter(move |&other| other != input).map(move |other| output * inputs + other).chain(by_output)
 }
 
 /// The claims of the bounds of η of the value and of a closed-form Jacobian, for the given sizes.
@@ -68,43 +86,137 @@ pub(super) fn claims(spec: &Spec, sizes: &str) -> (Claim, Option<Claim>) {
     (claim("value", bounds.value), bounds.jacobian.map(|bound| claim("closed-form Jacobian", bound)))
 }
 
-/// Checks value and closed-form Jacobian in `f64`, each computed alone and together; on a switch there is no derivative.
+/// The claims about the bounds of η, checked at one point with valid inputs.
+pub(crate) fn eta_point(subject: &Subject, inputs: Vec<f64>) -> Vec<Claim> {
+    let point = Point::new(subject, "found".into(), false, inputs);
+    let (mut value, mut jacobian) = claims(&subject.spec, "");
+    check_accuracy(&mut value, jacobian.as_mut(), &point, &Names::new(subject), &Exact::at(&point));
+    [value].into_iter().chain(jacobian).collect()
+}
+
+/// Checks value and closed-form Jacobian in `f64`, each computed alone and together; on a switch there is no derivative. A point that
+/// is not as far from a singular one as the formula states does not count against it.
 pub(super) fn check_accuracy(
     value: &mut Claim,
-    jacobian: Option<&mut Claim>,
+    mut jacobian: Option<&mut Claim>,
     point: &Point,
     names: &Names,
     exact: &Exact,
 ) {
-    let (subject, inputs) = (point.subject, &point.inputs);
-    let [with_jacobian, linearized] = (subject.linearized)(inputs);
-    check_value(value, point, names, exact, [(subject.value)(inputs), with_jacobian]);
-    if let Some(jacobian) = jacobian.filter(|_| point.kink != Some(Convention::Switch)) {
-        check_jacobian(jacobian, point, names, exact, [(subject.jacobian)(inputs), linearized]);
+    let spec = &point.subject.spec;
+    if spec.apart == 0.0 {
+        return check_everywhere(value, jacobian, point, names, exact);
     }
-}
-
-fn check_value(claim: &mut Claim, point: &Point, names: &Names, exact: &Exact, values: [Vec<f64>; 2]) {
-    let sizes = exact.sensitivities(&point.exact);
-    let beside = |output: usize| {
-        let others = of_same_field(point.subject.outputs, output).filter(|&other| other != output);
-        largest(others.map(|other| sizes[other].plus(exact.values[other])))
-    };
-    for computed in values {
-        for (output, ((&computed, &value), &sensitivity)) in computed.iter().zip(&exact.values).zip(&sizes).enumerate()
-        {
-            let describe = |size| point.deviation(size, names.outputs[output].clone(), computed, value.to_f64());
-            let own = eta(computed, value, sensitivity);
-            let vector = || own.min(eta_beside(computed, value, beside(output)));
-            let sizes = iter::once(own).chain(point.subject.spec.normwise.iter().map(|_| vector()));
-            claim.record_last(sizes, claim.bound, describe);
+    let before = (value.clone(), jacobian.as_deref().cloned());
+    check_everywhere(value, jacobian.as_deref_mut(), point, names, exact);
+    let has_failed = |now: &Claim, before: &Claim| now.failures > before.failures;
+    if (has_failed(value, &before.0)
+        || jacobian.as_deref().zip(before.1.as_ref()).is_some_and(|(now, before)| has_failed(now, before)))
+        && point.subject.graph().is_ok_and(|graph| graph.distance_from_singular(&point.inputs) < spec.apart)
+    {
+        *value = before.0;
+        if let (Some(jacobian), Some(before)) = (jacobian, before.1) {
+            *jacobian = before;
         }
     }
 }
 
+fn check_everywhere(value: &mut Claim, jacobian: Option<&mut Claim>, point: &Point, names: &Names, exact: &Exact) {
+    let (subject, inputs) = (point.subject, &point.inputs);
+    let [with_jacobian, linearized] = (subject.linearized)(inputs);
+    let other = OnceCell::new();
+    let other_side = || other.get_or_init(|| OtherSide::at(point)).as_ref();
+    check_value(value, point, names, exact, [(subject.value)(inputs), with_jacobian], other_side);
+    if let Some(jacobian) = jacobian.filter(|_| point.kink != Some(Convention::Switch)) {
+        check_jacobian(jacobian, point, names, exact, [(subject.jacobian)(inputs), linearized], other_side);
+    }
+}
+
+fn check_value<'a>(
+    claim: &mut Claim,
+    point: &'a Point,
+    names: &Names,
+    exact: &Exact,
+    values: [Vec<f64>; 2],
+    other_side: impl Fn() -> Option<&'a OtherSide<'a>>,
+) {
+    let (sizes, spec) = (exact.sensitivities(&point.exact), &point.subject.spec);
+    let beside = |output: usize| largest(outputs_beside(point, output).map(|k| sizes[k].plus(exact.values[k])));
+    for computed in values {
+        for (output, ((&computed, &value), &sensitivity)) in computed.iter().zip(&exact.values).zip(&sizes).enumerate()
+        {
+            let near = |value| if is_angle(point, output) { in_same_turn(value, computed) } else { value };
+            let describe = |size| point.deviation(size, names.outputs[output].clone(), computed, value.to_f64());
+            let own = eta(computed, near(value), sensitivity);
+            let vector = || own.min(eta_beside(computed, near(value), beside(output)));
+            let sizes = iter::once(own).chain(spec.normwise.iter().map(|_| vector()));
+            let by_fields = || {
+                let row = |k: usize| &exact.ad[k * point.exact.len()..][..point.exact.len()];
+                let size = |k: usize| by_fields(point, row(k)).plus(exact.values[k]);
+                let all = outputs_beside(point, output).chain([output]);
+                spec.normwise.map(|_| eta_beside(computed, near(value), largest(all.map(size))))
+            };
+            let there = || {
+                let side = other_side()?;
+                let [values, _] = side.outputs();
+                let beside = outputs_beside(point, output).map(|k| values[k]);
+                Some(eta_there(computed, near(side.result(values[output])), (side, values[output]), beside, point))
+            };
+            claim.record_last_or(sizes, claim.bound, [&by_fields, &there], describe);
+        }
+    }
+}
+
+/// η on the other side of a kink, of the result of an operation; `beside` are those of the other components.
+fn eta_there(
+    computed: f64,
+    exact: Octuple,
+    (side, node): (&OtherSide, Node),
+    beside: impl Iterator<Item = Node>,
+    point: &Point,
+) -> f64 {
+    if point.subject.spec.normwise.is_none() {
+        return eta_beside(computed, exact, side.size(node));
+    }
+    let size = |node| side.size_by_fields(point.subject.inputs, node);
+    eta_beside(computed, exact, largest(iter::once(node).chain(beside).map(size)))
+}
+
+/// The sensitivity to whole vectors of a number with this gradient.
+fn by_fields(point: &Point, gradient: &[Octuple]) -> Sensitivity {
+    Sensitivity::by_fields(point.subject.inputs, gradient, &point.exact)
+}
+
+/// Whether an output is an angle, which is the same after a full turn.
+fn is_angle(point: &Point, output: usize) -> bool {
+    let mut fields = point.subject.outputs.iter().flat_map(|field| iter::repeat_n(field, field.len()));
+    fields.nth(output).is_some_and(|field| field.quantity.domain == Domain::Angle)
+}
+
+/// The angle, or the one that is a full turn before or after it, whichever is nearest to a computed one: an angle of nearly half a
+/// turn may be rounded to the other end of its range.
+fn in_same_turn(angle: Octuple, computed: f64) -> Octuple {
+    let (turn, off) = (Octuple::PI * 2.0, Octuple::from(computed) - angle);
+    if off > Octuple::PI {
+        angle + turn
+    } else if off < -Octuple::PI {
+        angle - turn
+    } else {
+        angle
+    }
+}
+
 /// Judges the closed form in `f64` against automatic differentiation, so that a wrong one does not judge itself.
-fn check_jacobian(claim: &mut Claim, point: &Point, names: &Names, exact: &Exact, jacobians: [Vec<f64>; 2]) {
-    let [alone, together] = jacobians;
+fn check_jacobian<'a>(
+    claim: &mut Claim,
+    point: &'a Point,
+    names: &Names,
+    exact: &Exact,
+    jacobians: [Vec<f64>; 2],
+    other_side: impl Fn() -> Option<&'a OtherSide<'a>>,
+) {
+    let ([alone, together], spec) = (jacobians, &point.subject.spec);
+    let second = OnceCell::new();
     for (entry, ((&alone, &together), &ad)) in alone.iter().zip(&together).zip(&exact.ad).enumerate() {
         let mut judge = |computed| {
             let own = exact.sensitivities_up_to(point, entry).map(|bend| eta(computed, ad, bend));
@@ -112,9 +224,22 @@ fn check_jacobian(claim: &mut Claim, point: &Point, names: &Names, exact: &Exact
                 let own = eta(computed, ad, exact.bend(point, entry));
                 own.min(eta_beside(computed, ad, exact.largest_beside(point, entry)))
             };
-            let sizes = own.chain(point.subject.spec.normwise.iter().map(|_| vector()));
+            let sizes = own.chain(spec.normwise.iter().map(|_| vector()));
+            let by_fields = || {
+                let gradients =
+                    spec.normwise.map(|_| second.get_or_init(|| point.subject.second_derivative(&point.exact)))?;
+                let size = |k: usize| by_fields(point, &gradients[k]).plus(exact.ad[k]);
+                let all = entries_beside(point, entry).chain([entry]);
+                Some(eta_beside(computed, ad, largest(all.map(size))))
+            };
+            let there = || {
+                let side = other_side()?;
+                let [_, entries] = side.outputs();
+                let beside = entries_beside(point, entry).map(|k| entries[k]);
+                Some(eta_there(computed, side.result(entries[entry]), (side, entries[entry]), beside, point))
+            };
             let describe = |size| point.deviation(size, names.entry(entry), computed, ad.to_f64());
-            claim.record_last(sizes, claim.bound, describe)
+            claim.record_last_or(sizes, claim.bound, [&by_fields, &there], describe)
         };
         let size = judge(alone);
         // The same number is judged only once.
@@ -138,7 +263,6 @@ mod tests {
     use crate::contact::slide_line::LocalBasis;
     use crate::formula::Bounds;
     use crate::number::power::power_of_two;
-    use crate::toolkit::verify::subject::Subject;
 
     #[test]
     fn the_largest_entry_is_that_of_the_output() {

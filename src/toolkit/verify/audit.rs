@@ -259,10 +259,11 @@ fn read_equation(subject: &Subject) -> (Option<Equation>, [Claim; 2]) {
     (equation, [values, jacobian])
 }
 
-/// The formula's own cases, and points on both sides of every kink and on it.
+/// The formula's own cases, the worst points that a search found, and points on both sides of every kink and on it.
 pub(super) fn named_points(subject: &Subject) -> Vec<Point<'_>> {
-    let cases = (subject.cases)().into_iter().map(|case| (case.id, case.inputs));
+    let cases = (subject.cases)().into_iter().chain(subject.worst.iter().cloned());
     cases
+        .map(|case| (case.id, case.inputs))
         .chain(beside_kinks(subject))
         .filter(|(_, inputs)| (subject.check)(inputs).is_ok())
         .map(|(label, inputs)| Point::new(subject, label, false, inputs))

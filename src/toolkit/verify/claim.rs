@@ -92,12 +92,29 @@ impl Claim {
         bound: f64,
         describe: impl FnOnce(f64) -> Deviation,
     ) -> f64 {
+        self.record_last_or(sizes, bound, [], describe)
+    }
+
+    /// As [`record_last`](Self::record_last), with other deviations, each of which counts as well where those before it exceed the
+    /// limit.
+    pub(super) fn record_last_or<const N: usize>(
+        &mut self,
+        sizes: impl IntoIterator<Item = f64>,
+        bound: f64,
+        others: [&dyn Fn() -> Option<f64>; N],
+        describe: impl FnOnce(f64) -> Deviation,
+    ) -> f64 {
         let enough = self.worst.as_ref().map_or(f64::NEG_INFINITY, |worst| worst.size).min(bound);
         let mut last = f64::INFINITY;
         for size in sizes {
             last = size;
             if size <= enough {
                 break;
+            }
+        }
+        for other in others {
+            if last > bound {
+                last = other().map_or(last, |other| other.min(last));
             }
         }
         self.record(last, bound, describe);

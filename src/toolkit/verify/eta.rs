@@ -1,6 +1,8 @@
 //! The error measures.
 
 use crate::Octuple;
+use crate::formula::Field;
+use num_dual::DualNum;
 use num_traits::{Signed, Zero};
 
 /// Unit roundoff of `f64`, 2⁻⁵³.
@@ -15,6 +17,19 @@ impl Sensitivity {
     pub fn new(gradient: &[Octuple], inputs: &[Octuple]) -> Self {
         let terms = gradient.iter().zip(inputs).map(|(&g, &x)| (g * x).abs());
         Self(terms.fold(Octuple::zero(), |sum, term| sum + term))
+    }
+
+    /// The same by whole vectors, Σ |∂y/∂x| |x| over the fields x: the change of y where each vector changes by its size in the worst
+    /// direction. It does not depend on the axes.
+    pub(crate) fn by_fields(fields: &[Field], gradient: &[Octuple], inputs: &[Octuple]) -> Self {
+        let (mut sum, mut start) = (Octuple::zero(), 0);
+        for field in fields {
+            let range = start..start + field.len();
+            start = range.end;
+            let length = |all: &[Octuple]| all.iter().fold(Octuple::zero(), |sum, &x| sum + x * x).sqrt();
+            sum += length(&gradient[range.clone()]) * length(&inputs[range]);
+        }
+        Self(sum)
     }
 
     /// For a number that depends on no input.
@@ -116,6 +131,18 @@ mod tests {
         assert_eq!(of_product().and(of_product().times(2.0)).size(), 72.0);
         assert_eq!(of_product().per(8.0.into()), 3.0);
         assert_eq!(Sensitivity::none().size(), 0.0);
+    }
+
+    /// |(−4, 3)| |(3, −4)| for a vector, 12 + 12 for two numbers.
+    #[test]
+    fn a_sensitivity_to_a_vector_does_not_depend_on_its_components() {
+        use crate::formula::quantity::{F2, XA_PLANE};
+        let size = |fields: &[Field]| {
+            let [gradient, inputs] = [[-4.0, 3.0], [3.0, -4.0]].map(|all| all.map(Octuple::from));
+            Sensitivity::by_fields(fields, &gradient, &inputs).size()
+        };
+        assert_eq!(size(&[Field::new("x", &XA_PLANE)]), 25.0);
+        assert_eq!(size(&[Field::new("f", &F2), Field::new("g", &F2)]), 24.0);
     }
 
     #[test]

@@ -59,7 +59,7 @@ pub(super) fn describe(fields: &[Field]) -> Vec<Description> {
     fields.iter().map(description).collect()
 }
 
-/// All cases of a formula: its own, random ones, and every kind of invalid input.
+/// All cases of a formula: its own, random ones, the worst that a search found, and every kind of invalid input.
 pub(crate) fn cases(subject: &Subject, least_random: usize) -> Vec<Case<Vec<f64>>> {
     let own = (subject.cases)().len();
     cases_with(subject, least_random.max(LEAST_CASES.saturating_sub(own)), None)
@@ -72,6 +72,7 @@ pub(super) fn cases_with(subject: &Subject, random: usize, valid: Option<&[f64]>
     let drawn = (0..random * CANDIDATES).map(|_| sampler.components(subject)).collect();
     let chosen = spread(subject, drawn, random).into_iter().zip(1..);
     cases.extend(chosen.map(|(inputs, k)| Case::new(Flag::Random, format!("random-{k}"), "", inputs)));
+    cases.extend(subject.worst.iter().cloned());
     let drawn = || Sampler::for_formula(subject.spec.id, SEED).components(subject);
     cases.extend(out_of_domain(subject, &valid.map_or_else(drawn, <[f64]>::to_vec)));
     cases.extend((subject.invalid_cases)());

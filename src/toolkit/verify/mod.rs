@@ -55,6 +55,7 @@ mod invariance;
 mod jet;
 mod judge;
 mod kinks;
+mod other_side;
 mod part;
 mod point;
 mod printed;
@@ -67,6 +68,7 @@ mod shard;
 mod subject;
 mod trial;
 
+pub(crate) use accuracy::eta_point;
 #[cfg(feature = "measure")]
 pub(crate) use audit::beside_kinks;
 pub use audit::{Audit, audit_at};

@@ -38,6 +38,8 @@ pub struct Subject {
     /// The formula's own cases, and invalid ones.
     pub(crate) cases: fn() -> Vec<Case<Vec<f64>>>,
     pub(crate) invalid_cases: fn() -> Vec<Case<Vec<f64>>>,
+    /// The points with the largest backward errors that a search found.
+    pub(crate) worst: Vec<Case<Vec<f64>>>,
     /// Records the graph, which is slow.
     pub(crate) record: fn() -> Cow<'static, Result<Graph, NotRecorded>>,
     /// The recorded graph, once it was requested.
@@ -92,6 +94,7 @@ impl Subject {
             dual_jacobian: exact_jacobian::<F, _>,
             cases: || F::cases().into_iter().map(flat::<F>).collect(),
             invalid_cases: || F::invalid_cases().into_iter().map(flat::<F>).collect(),
+            worst: Vec::new(),
             record: || Cow::Owned(graph::record::<F>()),
             graph: OnceCell::new(),
             kinks: F::kinks().into_iter().map(Kink::of).collect(),
@@ -130,6 +133,7 @@ impl Subject {
                     .collect()
             },
             invalid_cases: Vec::new,
+            worst: Vec::new(),
             record: || Cow::Owned(graph::record_element::<E, M, DOFS>(RUBS, Extremes::Nan)),
             graph: OnceCell::new(),
             kinks: Vec::new(),

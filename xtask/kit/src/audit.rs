@@ -1,5 +1,6 @@
 //! `audit`: closed form, automatic differentiation and differences compared with each other, and the laws.
 
+use crate::attack;
 use crate::console::{count, figure, print, progress, say};
 use crate::elements;
 use crate::evidence::Evidence;
@@ -10,6 +11,7 @@ use crate::project::Project;
 use crate::review::{Finding, annotations, of_claim, rdjson, sarif, summarise};
 use crate::selection::Selection;
 use crate::since::Changes;
+use ::attack::Effort;
 use anyhow::Context;
 use indicatif::ParallelProgressIterator;
 use jointproof::catalog::AnyFormula;
@@ -22,6 +24,7 @@ use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::PathBuf;
+use std::time::Duration;
 
 /// Check every claim about the formulas: derivatives, accuracy, laws
 ///
@@ -37,6 +40,7 @@ use std::path::PathBuf;
   {command} audit --format github                in a workflow: annotations
   {command} audit --samples 1000000 --shard 3/16 > 3.json  on one of sixteen machines
   {command} audit --merge *.json                 their results together
+  {command} audit --attack 60                    search for a minute per formula what exceeds its bounds
   {command} audit --filter {formula} --point '{point}'")]
 pub(crate) struct Arguments {
     #[command(flatten)]
@@ -62,6 +66,12 @@ pub(crate) struct Arguments {
     /// Audit one formula at this point only: its inputs as a JSON object, as in golden files and audits
     #[arg(long, value_name = "JSON", requires = "filter", conflicts_with_all = ["samples", "seed"])]
     point: Option<String>,
+    /// Audit nothing else: spend this many seconds on every formula to refute its bounds of accuracy by a search that climbs
+    #[arg(long, value_name = "SECONDS", conflicts_with_all = ["samples", "since", "format", "shard", "merge", "point"])]
+    attack: Option<f64>,
+    /// End the search for each formula after this many evaluations instead, the same on every machine
+    #[arg(long, value_name = "N", requires = "attack", hide = true)]
+    evaluations: Option<u64>,
 }
 
 #[derive(Clone, Copy, clap::ValueEnum)]
@@ -82,6 +92,14 @@ enum Format {
 
 pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     project.needs_sources("audit")?;
+    if let Some(seconds) = arguments.attack {
+        let seconds = Duration::try_from_secs_f64(seconds)
+            .map_err(|error| Usage(format!("--attack is {seconds}; allowed is a time in seconds: {error}")))?;
+        let effort = arguments.evaluations.map_or(Effort::Time(seconds), Effort::Evaluations);
+        let (text, holds) = attack::run(&arguments.selection.formulas(project)?, effort, arguments.seed)?;
+        print(&text)?;
+        return Ok(verdict(holds));
+    }
     let (mut formulas, chosen) = arguments.selection.formulas_and_elements(project)?;
     let changes = arguments.since.as_ref().map(|revision| Changes::since(project, revision)).transpose()?;
     if let Some(changes) = &changes {

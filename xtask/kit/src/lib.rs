@@ -15,6 +15,7 @@
 //! `report` times a separate optimised program that does not contain the kit: a package whose `main` is
 //! [`measuring::main`], named by [`Project::measured_by`].
 
+mod attack;
 mod audit;
 mod book;
 mod check;
