@@ -5,7 +5,7 @@
 
 use super::answer::Answer;
 use super::map::names;
-use super::question::{Along, Own, Question, Wanted, of_points, sizes};
+use super::question::{Along, Kind, Own, Question, Wanted, ladder, of_points, sizes};
 use super::verdict::Court;
 use jointproof::catalog::AnyFormula;
 use jointproof::toolkit::verify::{Options, Sampler};
@@ -43,6 +43,17 @@ impl Values<'_> {
 pub fn questions(formula: &dyn AnyFormula, wanted: Wanted, options: &Options) -> Vec<Question> {
     let points = formula.judge().points(options);
     let mut questions = of_points(formula, wanted, points, options.seed);
+    let (rungs, points) = ladder(formula, options.seed)
+        .into_iter()
+        .map(|(rung, inputs)| {
+            let name = format!("{} of size 1e{}", rung.fields.join(", "), rung.exponent);
+            (rung, (name, inputs))
+        })
+        .unzip::<_, _, Vec<_>, Vec<_>>();
+    let mut on_ladder = of_points(formula, wanted, points, options.seed);
+    on_ladder.iter_mut().zip(rungs).for_each(|(question, rung)| question.kind = Kind::Rung(rung));
+    // The ladder shows limits; what no double holds, or is not allowed, is asked elsewhere.
+    questions.extend(on_ladder.into_iter().filter(|question| matches!(question.own, Own::Results(_))));
     questions.sort_by_key(Question::must_be_refused);
     if wanted == Wanted::Products {
         questions.extend(along_directions(formula, &questions, options.seed));
@@ -92,6 +103,7 @@ fn direction(formula: &dyn AnyFormula, question: &Question, sampler: &mut Sample
         inputs: stepped(step),
         directions: Some([v.clone(), w.clone()]),
         own: Own::Results(value),
+        kind: Kind::Ordinary,
         along: Some(Along { base: 0, noise: noise.clone() }),
     };
     let steps = [0.0].into_iter().chain(STEPS);
@@ -282,6 +294,7 @@ mod tests {
             wanted: Wanted::Products,
             bounds: super::super::verdict::Bounds::of(formula),
             questions: &asked,
+            is_strict: false,
         };
         let answer = |question: &Question| {
             let [v, _] = question.directions.as_ref().unwrap();

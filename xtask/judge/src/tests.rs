@@ -41,7 +41,7 @@ fn said(
     let formula = find(id).unwrap();
     let options = Options { samples, ..Options::default() };
     let questions = questions(formula, wanted, &options);
-    let court = Court { formula, wanted, bounds: Bounds::of(formula), questions: &questions };
+    let court = Court { formula, wanted, bounds: Bounds::of(formula), questions: &questions, is_strict: false };
     let first: Vec<_> = questions.iter().map(|question| answer(formula, question)).collect();
     let mut second = first.clone();
     for k in other_order(questions.len()) {

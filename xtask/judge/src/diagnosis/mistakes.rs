@@ -1,232 +1,198 @@
-//! The mistakes searched for in the operations of a formula.
+//! Every mistake that is looked for, the simplest first.
 
-use super::observed::rounded;
-use super::wording::{component, expression};
-use jointproof::formula::Field;
-use jointproof::toolkit::graph::{Binary, Graph, Instead, Node, Op, Unary};
+use super::change::{Change, changes};
+use super::model::{Inputs, Link, Model, Scope, Textbook, Times};
+use super::sample::Evidence;
+use super::words::Words;
+use super::{factors, inputs, permuted, symmetric};
+use crate::question::Wanted;
+use jointproof::toolkit::graph::{Binary, Node, Op, Unary};
+use std::collections::BTreeMap;
 
-/// A mistake: its description, its location, and the replacement there.
-pub(super) struct Mistake {
-    pub(super) sort: Sort,
-    pub(super) what: String,
-    pub(super) place: Node,
-    pub(super) instead: Instead,
+/// All mistakes in the order in which they are named.
+pub(super) fn mistakes(evidence: &Evidence<'_>, book: Option<&Textbook>) -> Vec<Model> {
+    let mut all = of_numbers(evidence);
+    if evidence.court.wanted != Wanted::Products {
+        all.extend(of_inputs(evidence));
+        all.extend(book.into_iter().flat_map(|book| of_operations(evidence, book)));
+        all.extend(entries(evidence));
+    }
+    all
 }
 
-/// The kind of a mistake; kinds listed first are reported first.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Sort {
-    Constant,
-    Branch,
-    Sign,
-    Term,
-    Index,
-    Function,
-    Factor,
+/// Wrong numbers that follow from the right ones.
+fn of_numbers(evidence: &Evidence<'_>) -> Vec<Model> {
+    let groups = factors::groups(evidence);
+    // Different factors together are one statement, if they are few.
+    let together = (2..=3).contains(&groups.len()).then(|| {
+        let what = groups.iter().map(|(what, _)| what.as_str()).collect::<Vec<_>>().join("; ");
+        (what, groups.iter().flat_map(|(_, map)| map.clone()).collect())
+    });
+    let moved = permuted::exchanges(evidence).into_iter().map(|(what, places)| {
+        let changed = places.iter().enumerate().filter(|(place, from)| place != *from);
+        (what, changed.map(|(place, &from)| (place, vec![(from, 1.0)])).collect::<Vec<_>>())
+    });
+    let symmetric = if evidence.court.wanted == Wanted::Products { Vec::new() } else { symmetric::parts(evidence) };
+    let all = groups.into_iter().chain(together).chain(moved).chain(symmetric);
+    all.map(|(what, map)| Model { maps: vec![map], ..Model::new(what) }).collect()
 }
 
-/// Possible replacements of an operation: the kind of mistake, its name, and the replacement.
-type Instances = Vec<(Sort, String, Instead)>;
-
-/// All mistakes searched for in the operations that these results need, those near the results first.
-pub(super) fn mistakes(graph: &Graph, inputs: &[Field], wanted: &[Node]) -> Vec<Mistake> {
-    let all = graph.needed(&[graph.value.as_slice(), &graph.jacobian].concat());
-    let input = |node: Node| if let Op::Input(k) = graph.op(node) { Some((*k, node)) } else { None };
-    let known: Vec<_> = all.into_iter().filter_map(input).collect();
-    let formula = Formula { graph, inputs, known };
-    let at = |place: Node| {
-        let mistake = move |(sort, what, instead)| Mistake { sort, what, place, instead };
-        formula.mistakes(place).into_iter().map(mistake)
+fn of_inputs(evidence: &Evidence<'_>) -> Vec<Model> {
+    let has_jacobian = evidence.court.wanted == Wanted::Jacobian;
+    let model = |(what, from, is_single): (String, Vec<(usize, f64)>, bool)| {
+        let of = move |by_given| {
+            let inputs = Inputs { from: from.clone(), is_single, by_given };
+            Model { inputs: Some(inputs), ..Model::new(what.clone()) }
+        };
+        [true, false].into_iter().filter(move |by_given| has_jacobian || !by_given).map(of)
     };
-    graph.needed(wanted).into_iter().rev().flat_map(at).collect()
+    inputs::others(evidence.court.formula.inputs()).into_iter().flat_map(model).collect()
 }
 
-struct Formula<'a> {
-    graph: &'a Graph,
-    inputs: &'a [Field],
-    /// The components it uses, and their nodes.
-    known: Vec<(usize, Node)>,
-}
-
-impl Formula<'_> {
-    fn show(&self, node: Node) -> String {
-        expression(self.graph, self.inputs, node)
-    }
-
-    fn mistakes(&self, node: Node) -> Instances {
-        let mut instances = match *self.graph.op(node) {
-            Op::Compare(..) => self.branches(node),
-            Op::Binary(Binary::Add, x, y) => self.sum(node, [x, y]),
-            Op::Binary(Binary::Subtract, x, y) => self.difference(node, [x, y]),
-            Op::MultiplyAdd(..) | Op::Norm(_) | Op::ExactSum(_) => self.terms(node),
-            Op::Binary(Binary::Multiply | Binary::Divide, x, y) => self.factors(node, [x, y]),
-            Op::Unary(function, x) => self.function(function, x),
-            Op::Number(bits) => constant(f64::from_bits(bits)),
-            _ => Vec::new(),
+/// Single entries that hold another entry, or its opposite.
+fn entries(evidence: &Evidence<'_>) -> Vec<Model> {
+    let mut all = Vec::new();
+    for &place in &evidence.off {
+        let samples = evidence.off_samples(&[place]);
+        let part = evidence.parts().into_iter().find(|part| part.contains(&place)).unwrap_or_default();
+        let fits = |&(from, sign): &(usize, f64)| {
+            from != place
+                && samples.len() >= 3
+                && samples.iter().any(|sample| sample.right[from] != 0.0)
+                && evidence.samples.iter().all(|sample| sample.fits(place, sample.right[from] * sign))
         };
-        instances.extend(self.other_inputs(node));
-        instances
-    }
-
-    fn branches(&self, node: Node) -> Instances {
-        let Op::Compare(relation, x, y) = *self.graph.op(node) else { return Vec::new() };
-        let always = |answer: f64, word: &str| {
-            let what = format!("one branch for all: as if it {word} held: {}", self.show(node));
-            (Sort::Branch, what, Instead::Op(Op::Number(answer.to_bits())))
-        };
-        let exchanged = format!("the branches are exchanged: {}", self.show(node));
-        let exchanged = (Sort::Branch, exchanged, Instead::Op(Op::Compare(relation, y, x)));
-        vec![always(1.0, "always"), always(0.0, "never"), exchanged]
-    }
-
-    fn sum(&self, node: Node, [x, y]: [Node; 2]) -> Instances {
-        vec![
-            (Sort::Sign, self.turned(y, node), Instead::Op(Op::Binary(Binary::Subtract, x, y))),
-            (Sort::Sign, self.turned(x, node), Instead::Op(Op::Binary(Binary::Subtract, y, x))),
-            (Sort::Term, self.left_out(&self.show(y), node), Instead::Result(x)),
-            (Sort::Term, self.left_out(&self.show(x), node), Instead::Result(y)),
-        ]
-    }
-
-    fn difference(&self, node: Node, [x, y]: [Node; 2]) -> Instances {
-        let whole = format!("the sign of {} is turned", self.show(node));
-        vec![
-            (Sort::Sign, self.turned(y, node), Instead::Op(Op::Binary(Binary::Add, x, y))),
-            (Sort::Sign, whole, Instead::Op(Op::Binary(Binary::Subtract, y, x))),
-            (Sort::Term, self.left_out(&self.show(y), node), Instead::Result(x)),
-            (Sort::Term, self.left_out(&self.show(x), node), Instead::Op(Op::Unary(Unary::Negative, y))),
-        ]
-    }
-
-    fn terms(&self, node: Node) -> Instances {
-        let without = |term: String, instead| (Sort::Term, self.left_out(&term, node), instead);
-        match self.graph.op(node) {
-            &Op::MultiplyAdd(x, y, z) => vec![
-                without(format!("{} {}", self.show(x), self.show(y)), Instead::Result(z)),
-                without(self.show(z), Instead::Op(Op::Binary(Binary::Multiply, x, y))),
-            ],
-            Op::Norm(parts) => {
-                let all_but = |k: usize| {
-                    let rest: Vec<_> =
-                        parts.iter().enumerate().filter(|(other, _)| *other != k).map(|(_, x)| *x).collect();
-                    let op =
-                        if let [x] = *rest.as_slice() { Op::Unary(Unary::Absolute, x) } else { Op::Norm(rest.into()) };
-                    without(self.show(parts[k]), Instead::Op(op))
-                };
-                (0..parts.len()).map(all_but).collect()
-            }
-            Op::ExactSum(products) => {
-                let all_but = |k: usize| {
-                    let mut rest = products.to_vec();
-                    let product = rest.remove(k).map(|factor| self.show(factor)).join(" ");
-                    without(product, Instead::Op(Op::ExactSum(rest.into())))
-                };
-                (0..products.len()).map(all_but).collect()
-            }
-            _ => Vec::new(),
+        if let Some((from, sign)) = part.flat_map(|from| [(from, 1.0), (from, -1.0)]).find(fits) {
+            let names = &evidence.names;
+            let minus = if sign < 0.0 { "−" } else { "" };
+            let what = format!("an index is wrong: {} holds {minus}{}", names[place], names[from]);
+            all.push(Model { maps: vec![vec![(place, vec![(from, sign)])]], ..Model::new(what) });
         }
     }
-
-    fn factors(&self, node: Node, [x, y]: [Node; 2]) -> Instances {
-        let within = self.show(node);
-        if let Op::Binary(Binary::Divide, ..) = self.graph.op(node) {
-            let by = self.show(y);
-            let product = Instead::Op(Op::Binary(Binary::Multiply, x, y));
-            return vec![
-                (Sort::Factor, format!("the division by {by} is missing in {within}"), Instead::Result(x)),
-                (Sort::Factor, format!("a product for the quotient {within}"), product),
-            ];
-        }
-        let missing = |factor: Node| format!("the factor {} is missing in {within}", self.show(factor));
-        vec![(Sort::Factor, missing(x), Instead::Result(y)), (Sort::Factor, missing(y), Instead::Result(x))]
-    }
-
-    fn function(&self, function: Unary, x: Node) -> Instances {
-        let of = self.show(x);
-        match function {
-            Unary::Negative => vec![(Sort::Sign, format!("a minus is missing before {of}"), Instead::Result(x))],
-            Unary::Absolute => vec![(Sort::Function, format!("{of} for its absolute value"), Instead::Result(x))],
-            Unary::Sine => {
-                vec![(Sort::Function, format!("cos for sin of {of}"), Instead::Op(Op::Unary(Unary::Cosine, x)))]
-            }
-            Unary::Cosine => {
-                vec![(Sort::Function, format!("sin for cos of {of}"), Instead::Op(Op::Unary(Unary::Sine, x)))]
-            }
-            _ => Vec::new(),
-        }
-    }
-
-    /// Another input in place of this one.
-    fn other_inputs(&self, node: Node) -> Instances {
-        let op = self.graph.op(node);
-        if matches!(op, Op::Select(..) | Op::Compare(..) | Op::ExactSum(_) | Op::Search(..)) {
-            return Vec::new();
-        }
-        let operands = op.operands();
-        let mut instances = Vec::new();
-        for (place, operand) in operands.iter().enumerate() {
-            let Op::Input(own) = *self.graph.op(*operand) else { continue };
-            for &(other, input) in self.known.iter().filter(|(other, _)| *other != own) {
-                let mut operands = operands.clone();
-                operands[place] = input;
-                let [other, own] = [other, own].map(|k| component(self.inputs, k));
-                let what = format!("{other} for {own} in {}", self.show(node));
-                instances.push((Sort::Index, what, Instead::Op(op.on(&operands))));
-            }
-        }
-        instances
-    }
-
-    fn turned(&self, term: Node, within: Node) -> String {
-        format!("the sign of {} is turned in {}", self.show(term), self.show(within))
-    }
-
-    fn left_out(&self, term: &str, within: Node) -> String {
-        format!("the term {term} is left out of {}", self.show(within))
-    }
+    all
 }
 
-fn constant(number: f64) -> Instances {
-    let single = f64::from(rounded(number));
-    let what = || format!("the constant {number} has single precision");
-    let instance = || (Sort::Constant, what(), Instead::Op(Op::Number(single.to_bits())));
-    (single != number && single.is_finite()).then(instance).into_iter().collect()
+/// Mistakes in the operations of the formula, and in their derivatives.
+fn of_operations(evidence: &Evidence<'_>, book: &Textbook) -> Vec<Model> {
+    let words = Words::new(evidence.court.formula, book, &evidence.samples);
+    let [value, rest] = evidence.parts();
+    let is_off = |part: &std::ops::Range<usize>| evidence.off.iter().any(|place| part.contains(place));
+    let scopes: &[Scope] = match (is_off(&value), is_off(&rest), rest.is_empty()) {
+        (_, _, true) => &[Scope::All],
+        (true, true, _) => &[Scope::All, Scope::Value, Scope::Jacobian],
+        (true, false, _) => &[Scope::Value],
+        (false, ..) => &[Scope::Jacobian],
+    };
+    let mut all = Vec::new();
+    let groups = words.families();
+    for &scope in scopes {
+        let one = |place: Node, change: Change, template: &str| {
+            let what = words.fill(template, place, scope, rest.is_empty());
+            Model { changes: vec![(place, change)], scope, ..Model::new(what) }
+        };
+        for &place in book.needed.iter().rev() {
+            let op = book.graph.op(place);
+            for (change, template) in changes(op) {
+                all.push(one(place, change, &template));
+            }
+            for (k, other) in words.others(place) {
+                let own = op.operands()[k];
+                let template = format!("{} for {} in {{}}", words.name(other), words.name(own));
+                all.push(one(place, Change::Instead(k, other), &template));
+            }
+            if let Some(x) = words.sign_of(place) {
+                for width in super::change::SMALL.into_iter().chain([0.1, 1.0]) {
+                    let template = format!("tanh({} / {width:e}) for the sign of {0}", words.name(x), );
+                    all.push(one(place, Change::Smooth(x, width), &template));
+                }
+            }
+            if !matches!(op, Op::Input(_) | Op::Number(_) | Op::Compare(..) | Op::Select(..)) {
+                all.push(one(place, Change::Times(0.0), "{} is left out"));
+            }
+        }
+        for group in &groups {
+            let first = group[0];
+            let op = book.graph.op(first);
+            let without = (Change::Times(0.0), "{} is left out".to_owned());
+            for (change, template) in changes(op).into_iter().chain([without]) {
+                let what = words.fill(&template, first, scope, rest.is_empty());
+                let what = format!("{what}, and so in all {} like it", group.len());
+                let changes = group.iter().map(|place| (*place, change)).collect();
+                all.push(Model { changes, scope, ..Model::new(what) });
+            }
+        }
+    }
+    if is_off(&rest) {
+        all.extend(links(book, &words, &groups));
+    }
+    all
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use expect_test::expect_file;
-
-    #[test]
-    fn constants_of_single_precision_are_others() {
-        let others = |number: f64| constant(number).into_iter().map(|(_, what, _)| what).collect::<Vec<_>>();
-        assert_eq!(others(0.1), ["the constant 0.1 has single precision"]);
-        assert_eq!([0.5, -2.0, 1e300].map(|number| others(number).len()), [0; 3]);
-    }
-
-    /// All mistakes in the values of a few formulas, and the resulting outputs.
-    #[test]
-    fn all_mistakes_and_what_comes_of_them() {
-        let of = |(id, at): (&str, &[f64])| {
-            let formula = jointproof::catalog::find(id).unwrap();
-            let graph = formula.graph().unwrap();
-            let described = |mistake: Mistake| {
-                let altered = graph.altered(mistake.place, &mistake.instead);
-                let all = altered.results(at, altered.needed(&altered.value));
-                let values: Vec<_> = altered.value.iter().map(|node| format!("{:.5}", all[node.index()])).collect();
-                format!("  {:?}: {}: {}\n", mistake.sort, mistake.what, values.join(" "))
-            };
-            let mistakes = mistakes(&graph, formula.inputs(), &graph.value);
-            format!("{id}\n{}", mistakes.into_iter().map(described).collect::<String>())
+/// Mistakes in the derivatives of operations: left out, with another factor, not divided by something.
+fn links(book: &Textbook, words: &Words<'_>, groups: &[Vec<Node>]) -> Vec<Model> {
+    let mut all = Vec::new();
+    let factors = [(0.0, "is left out"), (-1.0, "has the wrong sign"), (2.0, "is twice as large"), (0.5, "is half as large")];
+    for &of in book.needed.iter().rev() {
+        let op = book.graph.op(of);
+        if matches!(op, Op::Input(_) | Op::Number(_) | Op::Compare(..) | Op::Select(..)) {
+            continue;
+        }
+        let (operands, whole) = (op.operands(), words.name(of));
+        let mut seen: Vec<Node> = operands.clone();
+        seen.dedup();
+        let link = |by: Option<Node>, times: Times, what: String| Model {
+            links: vec![Link { of, by, times }],
+            ..Model::new(what)
         };
-        let formulas: [(&str, &[f64]); 5] = [
-            ("slot.friction", &[-7.0, 3.0, 4.5, -1.5, 0.3]),
-            ("coulomb.return_map", &[-7.0, 0.3, 11.0]),
-            ("interaction.pressure_exponential", &[0.1, 0.7, 1.3]),
-            ("slider.line", &[0.3, -0.7, 1.1, 2.3, 0.9, -1.7]),
-            ("slot.constraint_2d", &[0.6, 0.8, 1.1, -0.3, 2.7, 1.9, 0.2]),
-        ];
-        expect_file!["../../tests/printed/mistakes.txt"].assert_eq(&formulas.map(of).concat());
+        for &by in seen.iter().filter(|by| book.graph.constant(**by).is_none()) {
+            for (factor, what) in factors {
+                let what = format!("the derivative of {whole} by {} {what}", words.name(by));
+                all.push(link(Some(by), Times::Number(factor), what));
+            }
+        }
+        if seen.len() > 1 {
+            for (factor, what) in factors {
+                all.push(link(None, Times::Number(factor), format!("the derivative of {whole} {what}")));
+            }
+        }
+        match op {
+            Op::Norm(_) | Op::Unary(Unary::Root, _) => {
+                let what = format!("the derivative of {whole} is not divided by it");
+                all.push(link(None, Times::Result(of, 1), what));
+            }
+            Op::Binary(Binary::Divide, _, y) => {
+                let by = words.name(*y);
+                all.push(link(Some(*y), Times::Result(*y, 1), format!("the derivative of {whole} by {by} is not divided by its square")));
+                all.push(link(None, Times::Result(*y, 1), format!("the derivative of {whole} is not divided by {by}")));
+            }
+            Op::Binary(Binary::Angle, y, x) => {
+                let (y_name, x_name) = (words.name(*y), words.name(*x));
+                let what = format!("the derivative of {whole} is not divided by the sum of the squares of {y_name} and {x_name}");
+                all.push(link(None, Times::Squares(*y, *x), what));
+            }
+            _ => {}
+        }
     }
+    for group in groups {
+        let operands = |of: &Node| book.graph.op(*of).operands();
+        let name = words.name(group[0]);
+        let of_all = |by: Option<usize>, factor: f64, what: String| {
+            let link = |of: &Node| Link { of: *of, by: by.map(|k| operands(of)[k]), times: Times::Number(factor) };
+            Model { links: group.iter().map(link).collect(), ..Model::new(what) }
+        };
+        for (factor, what) in factors {
+            all.push(of_all(None, factor, format!("the derivative of {name} {what}, and so in all {} like it", group.len())));
+            let count = operands(&group[0]).len();
+            for k in (0..count).filter(|_| count > 1) {
+                let by = words.name(operands(&group[0])[k]);
+                let what = format!("the derivative of {name} by {by} {what}, and so in all {} like it", group.len());
+                all.push(of_all(Some(k), factor, what));
+            }
+        }
+    }
+    all
+}
+
+/// Nodes by a key, in the order of the first of each.
+pub(super) fn grouped(keys: BTreeMap<String, Vec<Node>>) -> Vec<Vec<Node>> {
+    keys.into_values().filter(|nodes| (2..=24).contains(&nodes.len())).collect()
 }

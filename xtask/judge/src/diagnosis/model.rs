@@ -1,0 +1,247 @@
+//! A formula as a textbook writes it, with any number of mistakes in it.
+
+use super::change::{self, Change};
+use super::sample::Sample;
+use jointproof::catalog::AnyFormula;
+use jointproof::toolkit::equation::Equation;
+use jointproof::toolkit::graph::{Binary, Extremes, Graph, Node, Op};
+
+/// The operations of a formula as it is printed; if it is not printed so, those of the code for ordinary numbers.
+pub(super) struct Textbook {
+    pub(super) graph: Graph,
+    /// All operations from which the outputs are computed, in order.
+    pub(super) needed: Vec<Node>,
+    pub(super) inputs: usize,
+}
+
+/// The most operations of a formula in which mistakes are searched for, to limit the time.
+const LONGEST: usize = 4000;
+
+impl Textbook {
+    /// Where both give the right values at these samples.
+    pub(super) fn of(formula: &dyn AnyFormula, samples: &[Sample]) -> Option<Self> {
+        let printed = Equation::of(&formula.spec(), formula.inputs(), formula.outputs()).ok();
+        let printed = printed.and_then(|equation| equation.graph().cloned());
+        let recorded = || formula.graph_with(Extremes::Nan).ok();
+        let inputs = super::super::question::sizes(formula)[0];
+        let is_right = |graph: Graph| {
+            let needed = graph.needed(&graph.value);
+            let book = Self { graph, needed, inputs };
+            let fits = |sample: &Sample| {
+                let all = book.run(&sample.inputs, &[]).0;
+                let mut values = book.graph.value.iter().enumerate();
+                values.all(|(i, node)| {
+                    (all[node.index()] - sample.right[i]).abs() <= 1e-9 * sample.scale[i]
+                })
+            };
+            (book.needed.len() <= LONGEST && samples.iter().take(8).all(fits)).then_some(book)
+        };
+        printed.and_then(is_right).or_else(|| recorded().and_then(is_right))
+    }
+
+    /// The results of all operations with changes of some, and the derivatives of each by its operands.
+    fn run(&self, inputs: &[f64], changes: &[(Node, Change)]) -> (Vec<f64>, Vec<Vec<(Node, f64)>>) {
+        let mut all = vec![f64::NAN; self.graph.ops().len()];
+        let mut slopes = vec![Vec::new(); self.graph.ops().len()];
+        for &node in &self.needed {
+            let op = self.graph.op(node);
+            let changed = changes.iter().find(|(place, _)| *place == node);
+            let (result, by) = match changed {
+                Some((_, change)) => change.apply(op, inputs, &all),
+                None => change::right(op, inputs, &all),
+            };
+            all[node.index()] = result;
+            slopes[node.index()] = by;
+        }
+        (all, slopes)
+    }
+
+    /// Whether the comparison of this operation holds, with every input as given.
+    pub(super) fn holds(&self, node: Node, inputs: &[f64]) -> bool {
+        self.run(inputs, &[]).0[node.index()] == 1.0
+    }
+
+    /// The sum or difference that is smallest beside its terms, if it is less than a tenth of them.
+    pub(super) fn cancellation(&self, inputs: &[f64]) -> Option<(Node, f64)> {
+        let all = self.run(inputs, &[]).0;
+        let share = |node: &Node| match self.graph.op(*node) {
+            Op::Binary(Binary::Add | Binary::Subtract, x, y) => {
+                let terms = all[x.index()].abs().max(all[y.index()].abs());
+                let share = (all[node.index()] / terms).abs();
+                (share > 0.0 && share < 0.1).then_some((*node, share))
+            }
+            _ => None,
+        };
+        self.needed.iter().filter_map(share).min_by(|(_, a), (_, b)| a.total_cmp(b))
+    }
+
+    /// Values, and their Jacobian if it is wanted, with these changes.
+    fn answer(&self, inputs: &[f64], changes: &[(Node, Change)], links: &[Link], with_jacobian: bool) -> Vec<f64> {
+        let (all, mut slopes) = self.run(inputs, changes);
+        let mut answer: Vec<f64> = self.graph.value.iter().map(|node| all[node.index()]).collect();
+        if !with_jacobian {
+            return answer;
+        }
+        for link in links {
+            for (operand, slope) in &mut slopes[link.of.index()] {
+                if link.by.is_none_or(|by| by == *operand) {
+                    *slope *= match link.times {
+                        Times::Number(factor) => factor,
+                        Times::Result(node, power) => all[node.index()].powi(power),
+                        Times::Squares(x, y) => all[x.index()].powi(2) + all[y.index()].powi(2),
+                    };
+                }
+            }
+        }
+        for &of in &self.graph.value {
+            let mut adjoint = vec![0.0; all.len()];
+            let mut gradient = vec![0.0; self.inputs];
+            adjoint[of.index()] = 1.0;
+            for &node in self.needed.iter().rev() {
+                let slope = adjoint[node.index()];
+                if slope == 0.0 {
+                    continue;
+                }
+                if let Op::Input(k) = self.graph.op(node) {
+                    gradient[*k] += slope;
+                }
+                for &(operand, by) in &slopes[node.index()] {
+                    adjoint[operand.index()] += slope * by;
+                }
+            }
+            answer.extend(gradient);
+        }
+        answer
+    }
+}
+
+/// A factor too much in the derivative of an operation by one of its operands, or by all.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Link {
+    pub(super) of: Node,
+    pub(super) by: Option<Node>,
+    pub(super) times: Times,
+}
+
+/// A factor.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Times {
+    Number(f64),
+    Result(Node, i32),
+    /// The sum of the squares of two results.
+    Squares(Node, Node),
+}
+
+/// Which numbers of an answer contain a mistake.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Scope {
+    All,
+    Value,
+    Jacobian,
+}
+
+/// Other inputs instead of those given: for every component where it comes from, and its factor.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Inputs {
+    pub(super) from: Vec<(usize, f64)>,
+    pub(super) is_single: bool,
+    /// Whether derivatives are by the inputs as they were given.
+    pub(super) by_given: bool,
+}
+
+impl Inputs {
+    fn of(&self, inputs: &[f64]) -> Vec<f64> {
+        let rounded = |x: f64| if self.is_single { f64::from(super::precision::single(x)) } else { x };
+        self.from.iter().map(|&(place, factor)| rounded(inputs[place] * factor)).collect()
+    }
+}
+
+/// For some numbers of an answer, the numbers from which each is summed, with factors.
+pub(super) type Map = Vec<(usize, Vec<(usize, f64)>)>;
+
+/// A program with mistakes.
+#[derive(Clone, Debug)]
+pub(super) struct Model {
+    /// Every mistake in words.
+    pub(super) what: Vec<String>,
+    pub(super) inputs: Option<Inputs>,
+    pub(super) changes: Vec<(Node, Change)>,
+    pub(super) links: Vec<Link>,
+    pub(super) scope: Scope,
+    pub(super) maps: Vec<Map>,
+}
+
+impl Model {
+    /// Without a mistake, in words that come first.
+    pub(super) fn new(what: String) -> Self {
+        Self { what: vec![what], inputs: None, changes: Vec::new(), links: Vec::new(), scope: Scope::All, maps: Vec::new() }
+    }
+
+    /// A program that has the mistakes of both; `None` if they exclude each other.
+    pub(super) fn and(&self, other: &Self) -> Option<Self> {
+        let inputs = match (&self.inputs, &other.inputs) {
+            (Some(_), Some(_)) => return None,
+            (one, two) => one.clone().or_else(|| two.clone()),
+        };
+        let is_graph = |model: &Self| !model.changes.is_empty();
+        if is_graph(self) && is_graph(other) && self.scope != other.scope
+            || other.changes.iter().any(|(node, _)| self.changes.iter().any(|(place, _)| place == node))
+            || self.what == other.what
+        {
+            return None;
+        }
+        Some(Self {
+            what: [self.what.clone(), other.what.clone()].concat(),
+            inputs,
+            changes: [self.changes.clone(), other.changes.clone()].concat(),
+            links: [self.links.clone(), other.links.clone()].concat(),
+            scope: if is_graph(other) { other.scope } else { self.scope },
+            maps: [self.maps.clone(), other.maps.clone()].concat(),
+        })
+    }
+
+    /// All numbers that the program would answer.
+    pub(super) fn predicted(&self, book: Option<&Textbook>, formula: &dyn AnyFormula, sample: &Sample) -> Vec<f64> {
+        let m = book.map_or_else(|| super::super::question::sizes(formula)[1], |book| book.graph.value.len());
+        let n = sample.inputs.len();
+        let has_jacobian = sample.right.len() == m + m * n;
+        let mut answer = if self.changes.is_empty() && self.links.is_empty() && self.inputs.is_none() {
+            sample.right.clone()
+        } else {
+            let there = self.inputs.as_ref().map(|inputs| inputs.of(&sample.inputs));
+            let there = there.as_deref().unwrap_or(&sample.inputs);
+            let computed = match book {
+                Some(book) => {
+                    let mut answer = book.answer(there, &self.changes, &self.links, has_jacobian);
+                    if self.scope != Scope::All && !self.changes.is_empty() && has_jacobian {
+                        let right = book.answer(there, &[], &self.links, has_jacobian);
+                        let part = if self.scope == Scope::Value { m..right.len() } else { 0..m };
+                        answer[part.clone()].copy_from_slice(&right[part]);
+                    }
+                    Some(answer)
+                }
+                None => formula.value_and_jacobian(there).ok().map(|(value, jacobian)| {
+                    [value, if has_jacobian { jacobian } else { Vec::new() }].concat()
+                }),
+            };
+            let Some(mut answer) = computed else { return vec![f64::NAN; sample.right.len()] };
+            if let Some(inputs) = self.inputs.as_ref().filter(|inputs| inputs.by_given && has_jacobian) {
+                let mut by_given = vec![0.0; m * n];
+                for i in 0..m {
+                    for (k, &(from, factor)) in inputs.from.iter().enumerate() {
+                        by_given[i * n + from] += answer[m + i * n + k] * factor;
+                    }
+                }
+                answer[m..].copy_from_slice(&by_given);
+            }
+            answer
+        };
+        for map in &self.maps {
+            let before = answer.clone();
+            for (place, terms) in map {
+                answer[*place] = terms.iter().map(|&(from, factor)| before[from] * factor).sum();
+            }
+        }
+        answer
+    }
+}

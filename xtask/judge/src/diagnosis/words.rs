@@ -1,0 +1,173 @@
+//! Words for operations of a formula, and for its branches.
+
+use super::mistakes::grouped;
+use super::model::{Scope, Textbook};
+use super::sample::Sample;
+use super::wording::expression;
+use jointproof::catalog::AnyFormula;
+use jointproof::formula::Field;
+use jointproof::toolkit::graph::{Node, Op, Relation};
+use std::collections::BTreeMap;
+
+/// A formula with its names.
+pub(super) struct Words<'a> {
+    book: &'a Textbook,
+    inputs: &'static [Field],
+    samples: &'a [Sample],
+    /// The field of every component of the inputs.
+    fields: Vec<usize>,
+    /// What operations have in common that differ in components and axes alone.
+    keys: BTreeMap<Node, String>,
+}
+
+impl<'a> Words<'a> {
+    pub(super) fn new(formula: &dyn AnyFormula, book: &'a Textbook, samples: &'a [Sample]) -> Self {
+        let inputs = formula.inputs();
+        let fields: Vec<usize> =
+            inputs.iter().enumerate().flat_map(|(k, field)| std::iter::repeat_n(k, field.len())).collect();
+        let mut keys: BTreeMap<Node, String> = BTreeMap::new();
+        for &node in &book.needed {
+            let op = book.graph.op(node);
+            let key = match op {
+                Op::Input(k) => inputs[fields[*k]].name.replace(|c: char| c.is_ascii_digit(), "#"),
+                Op::Number(bits) => format!("{}", f64::from_bits(*bits).abs()),
+                op => {
+                    let kind = format!("{op:?}");
+                    let kind: String = kind.split("Node").next().unwrap_or_default().chars().take(24).collect();
+                    let parts = op.operands().iter().map(|node| keys[node].as_str()).collect::<Vec<_>>().join(",");
+                    // Long keys are told apart by a hash.
+                    let text = format!("{kind}{parts})");
+                    if text.len() < 60 { text } else { format!("{:x}", hash(&text)) }
+                }
+            };
+            keys.insert(node, key);
+        }
+        Self { book, inputs, samples, fields, keys }
+    }
+
+    /// An operation in words.
+    pub(super) fn name(&self, node: Node) -> String {
+        expression(&self.book.graph, self.inputs, node)
+    }
+
+    /// Operations that differ in components and axes alone, as those of a vector do.
+    pub(super) fn families(&self) -> Vec<Vec<Node>> {
+        let mut keys: BTreeMap<String, Vec<Node>> = BTreeMap::new();
+        for (&node, key) in &self.keys {
+            let op = self.book.graph.op(node);
+            if !matches!(op, Op::Input(_) | Op::Number(_) | Op::Compare(..)) {
+                keys.entry(key.clone()).or_default().push(node);
+            }
+        }
+        grouped(keys)
+    }
+
+    /// Operands of an operation that may be mistaken for others, by their indices: of the same field, or alike.
+    pub(super) fn others(&self, place: Node) -> Vec<(usize, Node)> {
+        let op = self.book.graph.op(place);
+        if matches!(op, Op::Input(_) | Op::Number(_) | Op::Select(..) | Op::Compare(..) | Op::ExactSum(_) | Op::Search(..)) {
+            return Vec::new();
+        }
+        let mut others = Vec::new();
+        for (k, operand) in op.operands().into_iter().enumerate() {
+            let is_alike = |other: &Node| match (self.book.graph.op(operand), self.book.graph.op(*other)) {
+                (Op::Input(own), Op::Input(other)) => {
+                    let [own, other] = [self.fields[*own], self.fields[*other]];
+                    let [mine, others] = [self.inputs[own], self.inputs[other]];
+                    own == other || mine.quantity.unit == others.quantity.unit && mine.len() == others.len()
+                }
+                (Op::Number(_), _) | (_, Op::Number(_)) | (Op::Input(_), _) | (_, Op::Input(_)) => false,
+                _ => self.keys[&operand] == self.keys[other],
+            };
+            let alike = self.book.needed.iter().take_while(|other| **other < place);
+            others.extend(alike.filter(|other| **other != operand && is_alike(other)).map(|other| (k, *other)));
+        }
+        others
+    }
+
+    /// The number whose sign this operation chooses by.
+    pub(super) fn sign_of(&self, place: Node) -> Option<Node> {
+        let graph = &self.book.graph;
+        let Op::Select(condition, yes, no) = *graph.op(place) else { return None };
+        let is_sign = |node: Node| {
+            graph.constant(node).is_some_and(|x| x.abs() <= 1.0) || matches!(graph.op(node), Op::Select(..))
+        };
+        let Op::Compare(Relation::Less | Relation::LessOrEqual, x, y) = *graph.op(condition) else { return None };
+        let zero = |node: Node| graph.constant(node) == Some(0.0);
+        if !is_sign(yes) || !is_sign(no) {
+            return None;
+        }
+        if zero(x) { Some(y) } else if zero(y) { Some(x) } else { None }
+    }
+
+    /// The side of a comparison in words: stick and slip, if friction decides.
+    pub(super) fn side(&self, comparison: Node, holds: bool) -> String {
+        if let Some(sticks) = self.sticks(comparison) {
+            return if sticks == holds { "stick" } else { "slip" }.to_owned();
+        }
+        let condition = self.name(comparison);
+        if condition.contains(" if ") || condition.contains('…') {
+            return if holds { "one branch" } else { "the other branch" }.to_owned();
+        }
+        if holds { condition } else { format!("not {condition}") }
+    }
+
+    /// The outcome of a comparison when friction is large, if it depends on friction.
+    fn sticks(&self, comparison: Node) -> Option<bool> {
+        let mu = self.inputs.iter().position(|field| field.name == "mu")?;
+        let place = self.fields.iter().position(|field| *field == mu)?;
+        let depends = self.book.graph.needed(&[comparison]).iter().any(|node| *self.book.graph.op(*node) == Op::Input(place));
+        let with = |factor: f64| {
+            let outcome = |sample: &Sample| {
+                let mut inputs = sample.inputs.clone();
+                inputs[place] = factor;
+                self.book.holds(comparison, &inputs)
+            };
+            let all: Vec<bool> = self.samples.iter().take(12).map(outcome).collect();
+            all.iter().all(|outcome| *outcome == all[0]).then(|| all.first().copied()).flatten()
+        };
+        let [none, much] = [with(0.0), with(1e12)];
+        (depends && none != much).then_some(much).flatten()
+    }
+
+    /// A sentence with the names of an operation and its operands.
+    pub(super) fn fill(&self, template: &str, place: Node, scope: Scope, is_value_alone: bool) -> String {
+        let op = self.book.graph.op(place);
+        if let Op::Compare(..) = op {
+            let [yes, no] = [true, false].map(|holds| self.side(place, holds));
+            let [from, into] = match template.contains("{+}") {
+                true => [yes, no],
+                false => [no, yes],
+            };
+            let what = match scope {
+                Scope::Jacobian => " tangent",
+                Scope::Value => " value",
+                Scope::All => "",
+            };
+            return if template.contains("{?}") {
+                format!("the branches {from} and {into} are exchanged{}", if scope == Scope::All { "" } else { what })
+            } else if from == "stick" || into == "stick" {
+                format!("{from}{what} in {into}")
+            } else {
+                format!("one branch for all{}: {from}, also where {into}", if scope == Scope::All { "" } else { what })
+            };
+        }
+        let mut text = template.replace("{}", &self.name(place));
+        for (k, operand) in op.operands().into_iter().enumerate() {
+            let name = format!("{{{k}}}");
+            if text.contains(&name) {
+                text = text.replace(&name, &self.name(operand));
+            }
+        }
+        match scope {
+            Scope::Value if !is_value_alone => format!("value: {text}"),
+            Scope::Jacobian => format!("Jacobian: {text}"),
+            _ => text,
+        }
+    }
+}
+
+/// FNV-1a.
+fn hash(text: &str) -> u64 {
+    text.bytes().fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
+}
