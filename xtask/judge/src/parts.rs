@@ -7,14 +7,14 @@ mod limits;
 
 use super::answer::Answer;
 use super::diagnosis::{self, Diagnosis};
-use super::question::{Kind, Own, Wanted, sizes};
+use super::question::{Kind, Own, sizes};
 use super::scale::scales;
 use super::verdict::{Court, Grade, Verdict};
 use crate::console::count;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 /// What is concluded in a part.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Standing {
     /// As the formula.
     Right,
@@ -23,6 +23,7 @@ pub enum Standing {
     /// Wrong.
     Wrong,
     /// Nothing was asked that belongs here.
+    #[default]
     NotAsked,
 }
 
@@ -39,7 +40,7 @@ impl Standing {
 }
 
 /// A part of a verdict.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Part {
     /// The question that it answers.
     pub title: &'static str,
@@ -49,6 +50,8 @@ pub struct Part {
     pub right: [usize; 2],
     /// The conclusion in words.
     pub says: String,
+    /// The causes of what is wrong, as far as they show in this part, a line each.
+    pub causes: Vec<String>,
     /// More about it, a line each.
     pub details: Vec<String>,
     /// The simplest point at which it is not right, by its index.
@@ -110,7 +113,9 @@ impl Court<'_> {
             .collect();
         let (same, diagnosis) = self.same(answers, verdict, &all, &ordinary);
         let on_kinks = of(&|kind| matches!(kind, Kind::Kink(_)));
-        let (kinks, kink_grades) = self.on_kinks(answers, &all, &on_kinks);
+        // Numbers that are others anyway tell nothing about limits.
+        let is_same: Vec<bool> = (0..numbers).map(|place| counts[place][0] == 0).collect();
+        let (kinks, kink_grades) = self.on_kinks(answers, &all, &on_kinks, &is_same);
         let diagnosis = match same.standing {
             // What is smoothed shows near kinks alone.
             Standing::Right if kinks.standing == Standing::Wrong => {
@@ -122,8 +127,8 @@ impl Court<'_> {
         let extreme = of(&|kind| matches!(kind, Kind::Extreme | Kind::Rung(_)));
         let parts = vec![
             same,
-            self.accuracy(verdict, &all, &ordinary, diagnosis.causes.is_empty()),
-            self.limits(answers, &all, &extreme),
+            self.accuracy(verdict, &all, &ordinary, &is_same),
+            self.limits(answers, &all, &extreme, &is_same),
             kinks,
             self.not_allowed(answers, verdict),
         ];
@@ -193,7 +198,7 @@ impl Court<'_> {
         if let Some(k) = point {
             details.extend(self.first_off(k, &answers[0][k], all[k].as_ref()));
         }
-        (Part { title, standing, right, says, details, point }, diagnosis)
+        (Part { title, standing, right, says, details, point, ..Part::default() }, diagnosis)
     }
 
     /// What it does with inputs that are not allowed.
@@ -217,7 +222,7 @@ impl Court<'_> {
             _ => None,
         };
         let details = point.and_then(why).into_iter().collect();
-        Part { title: "inputs that are not allowed", standing, right, says, details, point }
+        Part { title: "inputs that are not allowed", standing, right, says, details, point, ..Part::default() }
     }
 
     /// The point whose inputs are written with the fewest characters.
@@ -242,11 +247,6 @@ impl Court<'_> {
                 Some(format!("{} is {:?}, right is {:?}", names[place], found[place]?, right[place]))
             }
         }
-    }
-
-    /// Whether only values are wanted.
-    pub(super) fn is_value_alone(&self) -> bool {
-        self.wanted == Wanted::Value
     }
 }
 

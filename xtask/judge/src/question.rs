@@ -177,10 +177,23 @@ const RUNGS: [i32; 34] = [
     80, 102, 103, 104, 140, 152, 153, 154, 155, 200, 300,
 ];
 
+/// Points at which a field is 0, or all of them: there quotients are 0/0.
+pub(super) fn zeros(formula: &dyn AnyFormula, seed: u64) -> Vec<(String, Vec<f64>)> {
+    let Some((_, start)) = formula.judge().points(&Options { samples: 1, seed }).pop() else { return Vec::new() };
+    let inputs = formula.inputs();
+    let without = |is_zero: &dyn Fn(&Field) -> bool| {
+        let zeros = inputs.iter().flat_map(|field| std::iter::repeat_n(is_zero(field), field.len()));
+        start.iter().zip(zeros).map(|(x, is_zero)| if is_zero { 0.0 } else { *x }).collect::<Vec<_>>()
+    };
+    let scalable: Vec<_> = inputs.iter().filter(|field| is_scalable(field)).collect();
+    let one = scalable.iter().map(|one| (format!("{} = 0", one.name), without(&|field| field.name == one.name)));
+    let all = (!scalable.is_empty()).then(|| ("all of them 0".to_owned(), without(&is_scalable)));
+    one.chain(all).collect()
+}
+
 /// Points at which the fields of a unit are scaled together, from a random point: they tell where a program over- or underflows.
 pub(super) fn ladder(formula: &dyn AnyFormula, seed: u64) -> Vec<(Rung, Vec<f64>)> {
     let inputs = formula.inputs();
-    let mut sampler = Sampler::named("ladder", seed);
     let mut units: Vec<Unit> = Vec::new();
     for field in inputs.iter().filter(|field| is_scalable(field)) {
         if !units.contains(&field.quantity.unit) {
@@ -192,14 +205,14 @@ pub(super) fn ladder(formula: &dyn AnyFormula, seed: u64) -> Vec<(Rung, Vec<f64>
     for unit in units {
         let is_scaled = |field: &Field| is_scalable(field) && field.quantity.unit == unit;
         let fields: Vec<_> = inputs.iter().filter(|field| is_scaled(field)).map(|field| field.name).collect();
-        let mut first = 0;
+        let (mut first, mut size) = (0, 1.0_f64);
         let mut drawn = start.1.clone();
         for field in inputs {
             // Of one size, so that all of them come to the limit.
             for x in &mut drawn[first..first + field.len()] {
                 if is_scaled(field) {
-                    let size = sampler.real().abs().fract().mul_add(0.5, 0.5);
                     *x = if *x < 0.0 { -size } else { size };
+                    size = if size < 0.9 { 1.0 } else { size - 0.015 };
                 }
             }
             first += field.len();

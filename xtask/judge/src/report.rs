@@ -3,7 +3,7 @@
 use super::answer::Heard;
 use super::map::{map, names};
 use super::judgement::is_well;
-use super::parts::{Part, Parts, Standing};
+use super::parts::{Parts, Standing};
 use super::verdict::{Court, Grade, Verdict, Worst};
 use crate::console::{bold, count, figure, green, red, yellow};
 use jointproof::toolkit::verify::golden::named;
@@ -34,9 +34,7 @@ fn head(court: &Court<'_>, program: &[String], well: bool) -> String {
 pub(super) fn causes(verdict: &Parts) -> Vec<String> {
     let causes = verdict.diagnosis.lines();
     let is_wrong = verdict.parts.iter().any(|part| part.standing == Standing::Wrong);
-    let has_own = |part: &Part| part.standing == Standing::Wrong && part.details.len() > 1;
-    let named = verdict.parts.iter().filter(|part| has_own(part)).flat_map(|part| part.details.iter().take(part.details.len() - 1));
-    let named: Vec<_> = named.cloned().collect();
+    let named: Vec<_> = verdict.parts.iter().flat_map(|part| part.causes.iter().cloned()).collect();
     match (causes.is_empty() && named.is_empty(), is_wrong) {
         (true, true) => vec!["unexplained".into()],
         _ => [causes, named].concat(),
@@ -74,7 +72,7 @@ pub(super) fn text(
             let _ = writeln!(text, "    {:wide$}  {detail}", "");
         }
         if let Some(point) = part.point {
-            let _ = writeln!(text, "    {:wide$}  at {}\n      {}", "", court.questions[point].name, self::point(court, point));
+            let _ = writeln!(text, "    {:wide$}  at the point {}\n      {}", "", court.questions[point].name, self::point(court, point));
         }
     }
     let mut line = |what: String| {

@@ -9,9 +9,9 @@ use jointproof::formula::quantity::Unit;
 
 /// The scale of every number at a question, from the right numbers there.
 ///
-/// The scale of an output is the largest of its components, each with what relative changes of the inputs do to it, and of
-/// the inputs of the same unit. That of a derivative is the largest entry of its block, and the scale of the output divided
-/// by the size of the input.
+/// The scale of an output is the largest component of the outputs of its unit, each with what relative changes of the inputs do
+/// to it, and of the inputs of this unit. That of a derivative is the largest entry by inputs of the same unit of these outputs,
+/// and the scale of the output divided by the size of these inputs.
 pub(super) fn scales(
     formula: &dyn AnyFormula,
     wanted: Wanted,
@@ -35,16 +35,22 @@ pub(super) fn scales(
     };
     let mut scales = vec![0.0; m];
     let mut entries = vec![0.0; m * n];
+    let of_row = |i: usize| {
+        let row = jacobian[i * n..][..n].iter();
+        right[i].abs() + row.zip(x).map(|(slope, x)| (slope * x).abs()).sum::<f64>()
+    };
     for (output, rows) in &outputs {
-        let of_row = |i: usize| {
-            let row = jacobian[i * n..][..n].iter();
-            right[i].abs() + row.zip(x).map(|(slope, x)| (slope * x).abs()).sum::<f64>()
+        let alike = |fields: &[(&'static Field, std::ops::Range<usize>)], unit: Unit| -> Vec<usize> {
+            fields.iter().filter(|(field, _)| field.quantity.unit == unit).flat_map(|(_, places)| places.clone()).collect()
         };
-        let size = rows.clone().map(of_row).fold(of_unit(output.quantity.unit), f64::max);
+        let of_alike = alike(&outputs, output.quantity.unit);
+        let size = of_alike.iter().map(|&i| of_row(i)).fold(of_unit(output.quantity.unit), f64::max);
         scales[rows.clone()].fill(size.max(f64::MIN_POSITIVE));
-        for (_, columns) in &inputs {
-            let by = largest(&x[columns.clone()]);
-            let block = rows.clone().map(|i| largest(&jacobian[i * n..][columns.clone()])).fold(0.0, f64::max);
+        for (input, columns) in &inputs {
+            let by = of_unit(input.quantity.unit);
+            let by_alike = alike(&inputs, input.quantity.unit);
+            let entry = |i: usize| by_alike.iter().map(|&j| jacobian[i * n + j].abs()).fold(0.0, f64::max);
+            let block = of_alike.iter().map(|&i| entry(i)).fold(0.0, f64::max);
             let per = if by > 0.0 { size / by } else { 0.0 };
             for i in rows.clone() {
                 entries[i * n..][columns.clone()].fill(block.max(per).max(f64::MIN_POSITIVE));

@@ -5,7 +5,7 @@
 
 use super::answer::Answer;
 use super::map::names;
-use super::question::{Along, Kind, Own, Question, Wanted, ladder, of_points, sizes};
+use super::question::{Along, Kind, Own, Question, Wanted, ladder, of_points, sizes, zeros};
 use super::verdict::Court;
 use jointproof::catalog::AnyFormula;
 use jointproof::toolkit::verify::{Options, Sampler};
@@ -52,6 +52,7 @@ pub fn questions(formula: &dyn AnyFormula, wanted: Wanted, options: &Options) ->
         .unzip::<_, _, Vec<_>, Vec<_>>();
     let mut on_ladder = of_points(formula, wanted, points, options.seed);
     on_ladder.iter_mut().zip(rungs).for_each(|(question, rung)| question.kind = Kind::Rung(rung));
+    on_ladder.extend(of_points(formula, wanted, zeros(formula, options.seed), options.seed));
     // The ladder shows limits; what no double holds, or is not allowed, is asked elsewhere.
     questions.extend(on_ladder.into_iter().filter(|question| matches!(question.own, Own::Results(_))));
     questions.sort_by_key(Question::must_be_refused);

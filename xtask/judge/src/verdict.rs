@@ -94,13 +94,13 @@ pub(super) struct Verdict {
     pub(super) same_questions: usize,
 }
 
-/// The largest backward errors at a question, of the value and of the rest.
+/// The backward errors of all numbers at a question; `None` for those that are not judged.
 #[derive(Clone, Debug)]
 pub(super) struct Etas {
     pub(super) question: usize,
-    pub(super) found: [f64; 2],
+    pub(super) found: Vec<Option<f64>>,
     /// Of this program's own numbers.
-    pub(super) own: [f64; 2],
+    pub(super) own: Vec<Option<f64>>,
 }
 
 impl Verdict {
@@ -225,19 +225,10 @@ impl Court<'_> {
                     } else {
                         self.numbers(k, found, known, &mut verdict);
                     }
-                    let etas = |numbers: &[Option<f64>]| {
-                        let mut largest = [0.0_f64; 2];
-                        let m = sizes(self.formula)[1];
-                        for (place, (x, known)) in numbers.iter().zip(known.iter()).enumerate() {
-                            if let (Some(x), Some(known)) = (x, known) {
-                                let part = usize::from(place >= m);
-                                largest[part] = largest[part].max(known.eta(*x));
-                            }
-                        }
-                        largest
-                    };
-                    let own: Vec<_> = own.iter().copied().map(Some).collect();
-                    verdict.etas.push(Etas { question: k, found: etas(found), own: etas(&own) });
+                    let eta = |x: Option<f64>, known: &Option<Known>| Some(known.as_ref()?.eta(x?));
+                    let etas = found.iter().zip(known.iter()).map(|(x, known)| eta(*x, known)).collect();
+                    let own = own.iter().zip(known.iter()).map(|(x, known)| eta(Some(*x), known)).collect();
+                    verdict.etas.push(Etas { question: k, found: etas, own });
                 }
             }
         }

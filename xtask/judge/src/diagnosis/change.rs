@@ -48,12 +48,16 @@ pub(super) type Local = (f64, Vec<(Node, f64)>);
 /// The result of an operation as it is.
 pub(super) fn right(op: &Op, inputs: &[f64], all: &[f64]) -> Local {
     let result = op.result(inputs, all);
-    let by = match op {
+    (result, derivatives(op, result, all))
+}
+
+/// The derivatives of an operation, as they follow from its result.
+pub(super) fn derivatives(op: &Op, result: f64, all: &[f64]) -> Vec<(Node, f64)> {
+    match op {
         Op::Select(condition, x, y) => vec![(if all[condition.index()] == 1.0 { *x } else { *y }, 1.0)],
         Op::Compare(..) | Op::Input(_) | Op::Number(_) | Op::Search(..) => Vec::new(),
         op => op.operands().into_iter().zip(op.derivatives(result, all)).collect(),
-    };
-    (result, by)
+    }
 }
 
 impl Change {

@@ -58,7 +58,7 @@ fn factor(evidence: &Evidence<'_>, place: usize) -> Option<f64> {
     (factor.is_finite() && !(named.is_none() && is_constant) && evidence.samples.iter().all(fits)).then_some(factor)
 }
 
-fn word(factor: f64) -> Option<String> {
+pub(super) fn word(factor: f64) -> Option<String> {
     if let Some((_, word)) = NAMED.iter().find(|(named, _)| *named == factor) {
         return Some((*word).to_owned());
     }

@@ -45,6 +45,14 @@ pub(super) fn others(inputs: &[Field]) -> Vec<(String, Vec<(usize, f64)>, bool)>
             }
         }
     }
+    let mut of_nodes = same.clone();
+    for &(field, start) in &starts {
+        let other = field.name.strip_suffix('a').map(|name| format!("{name}b"));
+        if let Some((_, second)) = starts.iter().find(|(field, _)| Some(field.name) == other.as_deref()) {
+            (0..field.len()).for_each(|k| of_nodes.swap(start + k, second + k));
+        }
+    }
+    others.push(("exchanged: the nodes a and b".into(), of_nodes, false));
     others.push(("inputs are rounded to single precision".into(), same, true));
     others
 }

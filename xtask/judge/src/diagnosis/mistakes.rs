@@ -7,13 +7,13 @@ use super::words::Words;
 use super::{factors, inputs, permuted, symmetric};
 use crate::question::Wanted;
 use jointproof::toolkit::graph::{Binary, Node, Op, Unary};
-use std::collections::BTreeMap;
 
 /// All mistakes in the order in which they are named.
 pub(super) fn mistakes(evidence: &Evidence<'_>, book: Option<&Textbook>) -> Vec<Model> {
     let mut all = of_numbers(evidence);
     if evidence.court.wanted != Wanted::Products {
         all.extend(of_inputs(evidence));
+        all.extend(book.into_iter().flat_map(|book| by_results(evidence, book)));
         all.extend(book.into_iter().flat_map(|book| of_operations(evidence, book)));
         all.extend(entries(evidence));
     }
@@ -71,6 +71,114 @@ fn entries(evidence: &Evidence<'_>) -> Vec<Model> {
     all
 }
 
+/// Wrong numbers that are right ones times a result of the formula, or divided by one.
+fn by_results(evidence: &Evidence<'_>, book: &Textbook) -> Vec<Model> {
+    let words = Words::new(evidence.court.formula, book, &evidence.samples);
+    let samples = evidence.off_samples(&evidence.off);
+    let results: Vec<Vec<f64>> = samples.iter().map(|sample| book.results(&sample.inputs)).collect();
+    let mut groups: Vec<(Node, i32, Vec<usize>)> = Vec::new();
+    for &place in &evidence.off {
+        // The ratio tells most where the number is large.
+        let ratio = |sample: &super::sample::Sample| {
+            let is_large = sample.right[place].abs() > 1e-3 * sample.scale[place];
+            is_large.then(|| Some(sample.found[place]? / sample.right[place])).flatten()
+        };
+        let ratios: Vec<_> = samples.iter().map(|sample| ratio(sample)).collect();
+        if ratios.iter().flatten().count() < 4 {
+            continue;
+        }
+        let fits = |node: Node, power: i32| {
+            ratios.iter().zip(&results).all(|(ratio, all)| {
+                ratio.is_none_or(|ratio| (ratio - all[node.index()].powi(power)).abs() <= 1e-7 * ratio.abs())
+            })
+        };
+        let known = book.needed.iter().flat_map(|node| [1, -1, 2, -2].map(|power| (*node, power)));
+        if let Some((node, power)) = known.into_iter().find(|&(node, power)| fits(node, power)) {
+            match groups.iter_mut().find(|(other, others_power, _)| (*other, *others_power) == (node, power)) {
+                Some((.., places)) => places.push(place),
+                None => groups.push((node, power, vec![place])),
+            }
+        }
+    }
+    let model = |(node, power, places): (Node, i32, Vec<usize>)| {
+        let name = words.name(node);
+        let factor = match power {
+            1 => format!("multiplied by {name} too often, or not divided by it"),
+            -1 => format!("divided by {name} too often, or not multiplied by it"),
+            2 => format!("multiplied by the square of {name} too often, or not divided by it"),
+            _ => format!("divided by the square of {name} too often, or not multiplied by it"),
+        };
+        let whose = factors::whose(evidence, &places.iter().copied().collect());
+        Model { scaled: vec![(places, node, power)], ..Model::new(format!("{factor}: {whose}")) }
+    };
+    groups.into_iter().map(model).collect()
+}
+
+/// A factor in an operation, from the numbers themselves.
+pub(super) fn fitted(evidence: &Evidence<'_>, book: &Textbook) -> Vec<Model> {
+    let words = Words::new(evidence.court.formula, book, &evidence.samples);
+    let [value, rest] = evidence.parts();
+    let samples = evidence.off_samples(&evidence.off);
+    let Some(sample) = samples.first() else { return Vec::new() };
+    let is_off = |part: &std::ops::Range<usize>| part.clone().find(|place| sample.is_off(*place));
+    let (scopes, place): (&[Scope], usize) = match (is_off(&value), is_off(&rest)) {
+        (Some(place), Some(_)) => (&[Scope::All, Scope::Used, Scope::Value], place),
+        (Some(place), None) => (if rest.is_empty() { &[Scope::All] } else { &[Scope::Value] }, place),
+        (None, Some(place)) => (&[Scope::Jacobian], place),
+        (None, None) => return Vec::new(),
+    };
+    let mut all = Vec::new();
+    for &node in book.needed.iter().rev() {
+        let op = book.graph.op(node);
+        if matches!(op, Op::Compare(..) | Op::Select(..)) {
+            continue;
+        }
+        for &scope in scopes {
+            let with = |factor: f64| Model { changes: vec![(node, Change::Times(factor))], scope, ..Model::new(String::new()) };
+            let found = sample.found[place].unwrap_or(f64::NAN);
+            let off = |factor: f64| with(factor).predicted(Some(book), evidence.court.formula, sample)[place] - found;
+            let Some(factor) = root(off) else { continue };
+            let what = match op {
+                Op::Number(bits) => {
+                    let own = f64::from_bits(*bits);
+                    let other = own * factor;
+                    if (factor - 1.0).abs() < 2e-7 {
+                        format!("the constant {own} has single precision, or {other} stands for it")
+                    } else {
+                        format!("{} for the constant {own}", super::wording::short(other))
+                    }
+                }
+                _ => match factors::word(factor) {
+                    Some(word) => format!("{word} {{}}"),
+                    None => continue,
+                },
+            };
+            let what = words.fill(&what, node, scope, rest.is_empty());
+            all.push(Model { what: vec![what], ..with(factor) });
+        }
+    }
+    all
+}
+
+/// The factor at which a function of it vanishes, by secants from 1; `None` if there is none nearby.
+fn root(f: impl Fn(f64) -> f64) -> Option<f64> {
+    let (mut a, mut b) = (1.0, 1.001);
+    let (mut at_a, mut at_b) = (f(a), f(b));
+    for _ in 0..12 {
+        let next = b - at_b * (b - a) / (at_b - at_a);
+        if !next.is_finite() || (next - b).abs() <= 1e-13 * next.abs() {
+            break;
+        }
+        (a, at_a) = (b, at_b);
+        (b, at_b) = (next, f(next));
+        if at_b == 0.0 {
+            break;
+        }
+    }
+    let is_root = at_b.is_finite() && at_b.abs() <= 1e-9 * f(1.0).abs();
+    is_root.then_some(b)
+}
+
 /// Mistakes in the operations of the formula, and in their derivatives.
 fn of_operations(evidence: &Evidence<'_>, book: &Textbook) -> Vec<Model> {
     let words = Words::new(evidence.court.formula, book, &evidence.samples);
@@ -78,7 +186,7 @@ fn of_operations(evidence: &Evidence<'_>, book: &Textbook) -> Vec<Model> {
     let is_off = |part: &std::ops::Range<usize>| evidence.off.iter().any(|place| part.contains(place));
     let scopes: &[Scope] = match (is_off(&value), is_off(&rest), rest.is_empty()) {
         (_, _, true) => &[Scope::All],
-        (true, true, _) => &[Scope::All, Scope::Value, Scope::Jacobian],
+        (true, true, _) => &[Scope::All, Scope::Used, Scope::Value, Scope::Jacobian],
         (true, false, _) => &[Scope::Value],
         (false, ..) => &[Scope::Jacobian],
     };
@@ -117,6 +225,11 @@ fn of_operations(evidence: &Evidence<'_>, book: &Textbook) -> Vec<Model> {
                 let what = words.fill(&template, first, scope, rest.is_empty());
                 let what = format!("{what}, and so in all {} like it", group.len());
                 let changes = group.iter().map(|place| (*place, change)).collect();
+                all.push(Model { changes, scope, ..Model::new(what) });
+            }
+            for (what, k, nodes) in words.other_fields(group) {
+                let what = words.fill(&format!("{what} in {{}}, and so in all {} like it", group.len()), first, scope, rest.is_empty());
+                let changes = group.iter().zip(nodes).map(|(place, node)| (*place, Change::Instead(k, node))).collect();
                 all.push(Model { changes, scope, ..Model::new(what) });
             }
         }
@@ -159,6 +272,14 @@ fn links(book: &Textbook, words: &Words<'_>, groups: &[Vec<Node>]) -> Vec<Model>
                 let what = format!("the derivative of {whole} is not divided by it");
                 all.push(link(None, Times::Result(of, 1), what));
             }
+            Op::Unary(Unary::Absolute, x) => {
+                let of_x = words.name(*x);
+                all.push(link(None, Times::Sign(*x), format!("the sign of {of_x} is left out in the derivative of {whole}")));
+                for width in super::change::SMALL.into_iter().chain([0.1, 1.0]) {
+                    let what = format!("tanh({of_x} / {width:e}) for the sign of {of_x} in the derivative of {whole}");
+                    all.push(link(None, Times::Tanh(*x, width), what));
+                }
+            }
             Op::Binary(Binary::Divide, _, y) => {
                 let by = words.name(*y);
                 all.push(link(Some(*y), Times::Result(*y, 1), format!("the derivative of {whole} by {by} is not divided by its square")));
@@ -190,9 +311,4 @@ fn links(book: &Textbook, words: &Words<'_>, groups: &[Vec<Node>]) -> Vec<Model>
         }
     }
     all
-}
-
-/// Nodes by a key, in the order of the first of each.
-pub(super) fn grouped(keys: BTreeMap<String, Vec<Node>>) -> Vec<Vec<Node>> {
-    keys.into_values().filter(|nodes| (2..=24).contains(&nodes.len())).collect()
 }

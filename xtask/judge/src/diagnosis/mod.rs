@@ -22,6 +22,7 @@ use crate::console::count;
 use model::Textbook;
 use jointproof::toolkit::graph::Op;
 use sample::{Evidence, Sample};
+use search::{Explanation, Tried};
 use words::Words;
 
 /// Fewer points tell too little.
@@ -46,25 +47,23 @@ pub(super) fn diagnose(court: &Court<'_>, answers: &[Vec<Answer>; 2], verdict: &
     if points < LEAST {
         return Diagnosis::default();
     }
-    explain(&evidence)
-        .or_else(|| within_branch(&evidence))
-        .or_else(|| {
-            let what = precision::cause(&evidence, &evidence.off)?;
-            Some(Diagnosis { causes: vec![what], explained: [evidence.samples.len(); 2] })
-        })
-        .or_else(|| by_parts(&evidence))
+    let book = Textbook::of(court.formula, &evidence.samples);
+    let tried = Tried::new(&evidence, book.as_ref());
+    let all = evidence.samples.len();
+    let described = |found: Explanation| Diagnosis { causes: found.what, explained: [found.explained, all] };
+    tried
+        .one()
+        .map(described)
+        .or_else(|| book.as_ref().and_then(|book| within_branch(&evidence, book)))
+        .or_else(|| Some(Diagnosis { causes: vec![precision::cause(&evidence, &evidence.off)?], explained: [all; 2] }))
+        .or_else(|| tried.several().map(described))
+        .or_else(|| by_parts(&evidence, book.as_ref()))
         .unwrap_or_default()
 }
 
-fn explain(evidence: &Evidence<'_>) -> Option<Diagnosis> {
-    let found = search::explain(evidence)?;
-    Some(Diagnosis { causes: found.what, explained: [found.explained, evidence.samples.len()] })
-}
-
 /// A mistake in one branch of the formula alone.
-fn within_branch(evidence: &Evidence<'_>) -> Option<Diagnosis> {
-    let book = Textbook::of(evidence.court.formula, &evidence.samples)?;
-    let words = Words::new(evidence.court.formula, &book, &evidence.samples);
+fn within_branch(evidence: &Evidence<'_>, book: &Textbook) -> Option<Diagnosis> {
+    let words = Words::new(evidence.court.formula, book, &evidence.samples);
     let off = evidence.off_samples(&evidence.off);
     let comparisons = book.needed.iter().filter(|node| matches!(book.graph.op(**node), Op::Compare(..)));
     for &comparison in comparisons {
@@ -76,7 +75,7 @@ fn within_branch(evidence: &Evidence<'_>) -> Option<Diagnosis> {
         }
         let there = evidence.samples.iter().filter(|sample| holds(sample) == side).cloned().collect();
         let there = Evidence::of(evidence.court, there);
-        if let Some(found) = search::explain(&there) {
+        if let Some(found) = Tried::new(&there, Some(book)).one() {
             let name = words.side(comparison, side);
             let elsewhere = evidence.samples.len() - there.samples.len();
             return Some(Diagnosis {
@@ -89,7 +88,7 @@ fn within_branch(evidence: &Evidence<'_>) -> Option<Diagnosis> {
 }
 
 /// One cause for the value, and another one for the rest, as far as they are known.
-fn by_parts(evidence: &Evidence<'_>) -> Option<Diagnosis> {
+fn by_parts(evidence: &Evidence<'_>, book: Option<&Textbook>) -> Option<Diagnosis> {
     if evidence.court.wanted != Wanted::Jacobian {
         return None;
     }
@@ -104,7 +103,8 @@ fn by_parts(evidence: &Evidence<'_>) -> Option<Diagnosis> {
         if alone.off.is_empty() {
             return None;
         }
-        let known = search::explain(&alone).map(|found| found.what);
+        let tried = Tried::new(&alone, book);
+        let known = tried.one().or_else(|| tried.several()).map(|found| found.what);
         Some(known.or_else(|| precision::cause(&alone, &alone.off).map(|what| vec![what])))
     };
     let [value, rest] = [of(&value), of(&rest)];
@@ -126,13 +126,26 @@ fn with_part(part: &str, what: String) -> String {
 
 /// The sum of the formula that loses most digits at a question, in words.
 pub(super) fn cancellation(court: &Court<'_>, k: usize) -> Option<String> {
-    let question = &court.questions[k];
+    with_words(court, k, |book, words, inputs| {
+        let (node, share) = book.cancellation(inputs)?;
+        Some(format!("{} loses {:.1} digits there: its terms cancel", words.name(node), -share.log10()))
+    })
+}
+
+/// A length whose squares leave the range of doubles at a question, in words.
+pub(super) fn length(court: &Court<'_>, k: usize) -> Option<String> {
+    with_words(court, k, |book, words, inputs| Some(words.name(book.length_out_of_range(inputs)?)))
+}
+
+fn with_words<T>(
+    court: &Court<'_>,
+    k: usize,
+    look: impl FnOnce(&Textbook, &Words<'_>, &[f64]) -> Option<T>,
+) -> Option<T> {
     let nothing = Answer::Numbers(vec![None; court.wanted.numbers(super::question::sizes(court.formula))]);
-    let samples = [Sample::new(court, question, &nothing)?];
+    let samples = [Sample::new(court, &court.questions[k], &nothing)?];
     let book = Textbook::of(court.formula, &samples)?;
-    let words = Words::new(court.formula, &book, &samples);
-    let (node, share) = book.cancellation(&question.inputs)?;
-    Some(format!("{} loses {:.1} digits there: its terms cancel", words.name(node), -share.log10()))
+    look(&book, &Words::new(court.formula, &book, &samples), &samples[0].inputs)
 }
 
 impl Diagnosis {

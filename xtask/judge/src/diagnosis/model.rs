@@ -28,7 +28,7 @@ impl Textbook {
             let needed = graph.needed(&graph.value);
             let book = Self { graph, needed, inputs };
             let fits = |sample: &Sample| {
-                let all = book.run(&sample.inputs, &[]).0;
+                let all = book.run(&sample.inputs, &[], false).0;
                 let mut values = book.graph.value.iter().enumerate();
                 values.all(|(i, node)| {
                     (all[node.index()] - sample.right[i]).abs() <= 1e-9 * sample.scale[i]
@@ -39,15 +39,19 @@ impl Textbook {
         printed.and_then(is_right).or_else(|| recorded().and_then(is_right))
     }
 
-    /// The results of all operations with changes of some, and the derivatives of each by its operands.
-    fn run(&self, inputs: &[f64], changes: &[(Node, Change)]) -> (Vec<f64>, Vec<Vec<(Node, f64)>>) {
+    /// The results of all operations with changes of some, and the derivatives of each by its operands; these may be those of
+    /// the right operations.
+    fn run(&self, inputs: &[f64], changes: &[(Node, Change)], are_derivatives_right: bool) -> (Vec<f64>, Vec<Vec<(Node, f64)>>) {
         let mut all = vec![f64::NAN; self.graph.ops().len()];
         let mut slopes = vec![Vec::new(); self.graph.ops().len()];
         for &node in &self.needed {
             let op = self.graph.op(node);
             let changed = changes.iter().find(|(place, _)| *place == node);
             let (result, by) = match changed {
-                Some((_, change)) => change.apply(op, inputs, &all),
+                Some((_, change)) => {
+                    let (result, by) = change.apply(op, inputs, &all);
+                    if are_derivatives_right { (result, change::derivatives(op, result, &all)) } else { (result, by) }
+                }
                 None => change::right(op, inputs, &all),
             };
             all[node.index()] = result;
@@ -56,14 +60,19 @@ impl Textbook {
         (all, slopes)
     }
 
+    /// The results of all operations.
+    pub(super) fn results(&self, inputs: &[f64]) -> Vec<f64> {
+        self.run(inputs, &[], false).0
+    }
+
     /// Whether the comparison of this operation holds, with every input as given.
     pub(super) fn holds(&self, node: Node, inputs: &[f64]) -> bool {
-        self.run(inputs, &[]).0[node.index()] == 1.0
+        self.run(inputs, &[], false).0[node.index()] == 1.0
     }
 
     /// The sum or difference that is smallest beside its terms, if it is less than a tenth of them.
     pub(super) fn cancellation(&self, inputs: &[f64]) -> Option<(Node, f64)> {
-        let all = self.run(inputs, &[]).0;
+        let all = self.run(inputs, &[], false).0;
         let share = |node: &Node| match self.graph.op(*node) {
             Op::Binary(Binary::Add | Binary::Subtract, x, y) => {
                 let terms = all[x.index()].abs().max(all[y.index()].abs());
@@ -75,19 +84,34 @@ impl Textbook {
         self.needed.iter().filter_map(share).min_by(|(_, a), (_, b)| a.total_cmp(b))
     }
 
+    /// A length whose squares over- or underflow.
+    pub(super) fn length_out_of_range(&self, inputs: &[f64]) -> Option<Node> {
+        let all = self.run(inputs, &[], false).0;
+        let is_lost = |node: &Node| {
+            let x = all[node.index()].abs();
+            x > 1e153 || x > 0.0 && x < 1e-153
+        };
+        self.needed.iter().copied().find(|node| match self.graph.op(*node) {
+            Op::Norm(parts) => parts.iter().any(is_lost),
+            _ => false,
+        })
+    }
+
     /// Values, and their Jacobian if it is wanted, with these changes.
-    fn answer(&self, inputs: &[f64], changes: &[(Node, Change)], links: &[Link], with_jacobian: bool) -> Vec<f64> {
-        let (all, mut slopes) = self.run(inputs, changes);
+    fn answer(&self, inputs: &[f64], model: &Model, changes: &[(Node, Change)], with_jacobian: bool) -> Vec<f64> {
+        let (all, mut slopes) = self.run(inputs, changes, model.scope == Scope::Used);
         let mut answer: Vec<f64> = self.graph.value.iter().map(|node| all[node.index()]).collect();
         if !with_jacobian {
             return answer;
         }
-        for link in links {
+        for link in &model.links {
             for (operand, slope) in &mut slopes[link.of.index()] {
                 if link.by.is_none_or(|by| by == *operand) {
                     *slope *= match link.times {
                         Times::Number(factor) => factor,
                         Times::Result(node, power) => all[node.index()].powi(power),
+                        Times::Sign(x) => if all[x.index()] < 0.0 { -1.0 } else { 1.0 },
+                        Times::Tanh(x, width) => (all[x.index()].abs() / width).tanh(),
                         Times::Squares(x, y) => all[x.index()].powi(2) + all[y.index()].powi(2),
                     };
                 }
@@ -128,6 +152,10 @@ pub(super) struct Link {
 pub(super) enum Times {
     Number(f64),
     Result(Node, i32),
+    /// The sign of a result.
+    Sign(Node),
+    /// The hyperbolic tangent of the size of a result, divided by a width.
+    Tanh(Node, f64),
     /// The sum of the squares of two results.
     Squares(Node, Node),
 }
@@ -135,8 +163,13 @@ pub(super) enum Times {
 /// Which numbers of an answer contain a mistake.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Scope {
+    /// All that follow from it.
     All,
+    /// Those computed from the wrong result, in the value and in derivatives that are right otherwise.
+    Used,
+    /// The value alone.
     Value,
+    /// The Jacobian alone.
     Jacobian,
 }
 
@@ -169,12 +202,14 @@ pub(super) struct Model {
     pub(super) links: Vec<Link>,
     pub(super) scope: Scope,
     pub(super) maps: Vec<Map>,
+    /// Numbers that are multiplied by a power of a result.
+    pub(super) scaled: Vec<(Vec<usize>, Node, i32)>,
 }
 
 impl Model {
     /// Without a mistake, in words that come first.
     pub(super) fn new(what: String) -> Self {
-        Self { what: vec![what], inputs: None, changes: Vec::new(), links: Vec::new(), scope: Scope::All, maps: Vec::new() }
+        Self { what: vec![what], inputs: None, changes: Vec::new(), links: Vec::new(), scope: Scope::All, maps: Vec::new(), scaled: Vec::new() }
     }
 
     /// A program that has the mistakes of both; `None` if they exclude each other.
@@ -197,6 +232,7 @@ impl Model {
             links: [self.links.clone(), other.links.clone()].concat(),
             scope: if is_graph(other) { other.scope } else { self.scope },
             maps: [self.maps.clone(), other.maps.clone()].concat(),
+            scaled: [self.scaled.clone(), other.scaled.clone()].concat(),
         })
     }
 
@@ -212,9 +248,9 @@ impl Model {
             let there = there.as_deref().unwrap_or(&sample.inputs);
             let computed = match book {
                 Some(book) => {
-                    let mut answer = book.answer(there, &self.changes, &self.links, has_jacobian);
-                    if self.scope != Scope::All && !self.changes.is_empty() && has_jacobian {
-                        let right = book.answer(there, &[], &self.links, has_jacobian);
+                    let mut answer = book.answer(there, self, &self.changes, has_jacobian);
+                    if matches!(self.scope, Scope::Value | Scope::Jacobian) && !self.changes.is_empty() && has_jacobian {
+                        let right = book.answer(there, self, &[], has_jacobian);
                         let part = if self.scope == Scope::Value { m..right.len() } else { 0..m };
                         answer[part.clone()].copy_from_slice(&right[part]);
                     }
@@ -236,6 +272,12 @@ impl Model {
             }
             answer
         };
+        if let Some(book) = book.filter(|_| !self.scaled.is_empty()) {
+            let results = book.results(&sample.inputs);
+            for (places, node, power) in &self.scaled {
+                places.iter().for_each(|place| answer[*place] *= results[node.index()].powi(*power));
+            }
+        }
         for map in &self.maps {
             let before = answer.clone();
             for (place, terms) in map {

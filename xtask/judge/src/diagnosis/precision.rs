@@ -12,6 +12,8 @@ pub(super) fn single(x: f64) -> f32 {
 const SINGLE: std::ops::RangeInclusive<f64> = 3e-10..=3e-6;
 /// Deviations of finite differences.
 const DIFFERENCES: std::ops::RangeInclusive<f64> = 1e-12..=3e-4;
+/// Deviations below are those of any program.
+const NOTHING: f64 = 1e-12;
 /// How many numbers have to show a pattern.
 const LEAST: usize = 12;
 
@@ -32,12 +34,13 @@ pub(super) fn cause(evidence: &Evidence<'_>, off: &[usize]) -> Option<String> {
     if given < LEAST {
         return None;
     }
-    deviations.retain(|deviation| *deviation > 0.0);
+    // What is right by chance, or because it is not affected, tells nothing.
+    deviations.retain(|deviation| *deviation > NOTHING);
     deviations.sort_by(f64::total_cmp);
-    let at = |share: usize| deviations[(deviations.len() - 1) * share / 100];
     if deviations.len() < LEAST {
         return None;
     }
+    let at = |share: usize| deviations[(deviations.len() - 1) * share / 100];
     let m = evidence.parts()[0].len();
     if rounded == given && at(95) < 1e-3 {
         let half = |place: &usize| evidence.samples.iter().all(|sample| sample.is_rounding_of_right(*place));
@@ -47,7 +50,8 @@ pub(super) fn cause(evidence: &Evidence<'_>, off: &[usize]) -> Option<String> {
             "the arithmetic has single precision (32 bits)".into()
         });
     }
-    if off.iter().all(|&place| place >= m) && DIFFERENCES.contains(&at(50)) && spread(&deviations) {
+    let is_common = deviations.len() * 4 > given;
+    if off.iter().all(|&place| place >= m) && DIFFERENCES.contains(&at(50)) && at(99) < 1e-2 && is_common && spread(&deviations) {
         return Some("the derivatives are finite differences, or have as few digits".into());
     }
     (SINGLE.contains(&at(50)) && at(99) < 1e-3 && spread(&deviations))

@@ -9,8 +9,12 @@ use std::ops::Range;
 
 /// Numbers may differ from the prediction of a mistake by this part of the deviation that it explains …
 const SHARE: f64 = 1e-4;
-/// … and by this part of their scale, which is rounding.
+/// … and by this part of their scale, which is rounding. Beside gross deviations much more may be rounding, in a program that
+/// loses digits.
 const ROUNDING: f64 = 2e-12;
+const BESIDE_GROSS: f64 = 1e-9;
+/// A deviation that is not due to lost digits.
+const GROSS: f64 = 1e-6;
 /// The number of points that mistakes are tried at.
 const POINTS: usize = 160;
 /// The numbers that are kept at most.
@@ -24,6 +28,8 @@ pub(super) struct Sample {
     /// The scale of every number: the size of the vector, row and block that it belongs to.
     pub(super) scale: Vec<f64>,
     pub(super) found: Vec<Option<f64>>,
+    /// The part of a scale that is rounding.
+    rounding: f64,
 }
 
 /// The answers that a mistake has to explain.
@@ -40,7 +46,7 @@ impl Sample {
         let Answer::Numbers(found) = answer else { return None };
         let right = question.right(court.formula, court.wanted)?;
         let scale = scales(court.formula, court.wanted, question, &right)?;
-        Some(Self { inputs: question.inputs.clone(), right, scale, found: found.clone() })
+        Some(Self { inputs: question.inputs.clone(), right, scale, found: found.clone(), rounding: ROUNDING })
     }
 
     /// The deviation of a number, relative to its scale; `None` if it is not given.
@@ -51,7 +57,7 @@ impl Sample {
 
     /// Whether a number differs from the right one by more than rounding.
     pub(super) fn is_off(&self, place: usize) -> bool {
-        self.deviation(place).is_some_and(|deviation| deviation > ROUNDING)
+        self.deviation(place).is_some_and(|deviation| deviation > self.rounding)
     }
 
     /// Whether a prediction is the number found; true where none is given.
@@ -61,8 +67,11 @@ impl Sample {
             return found.is_nan() && predicted.is_nan();
         }
         let deviation = (found - self.right[place]).abs();
-        let rounding = ROUNDING * self.scale[place].max(predicted.abs());
-        found == predicted || (found - predicted).abs() <= SHARE.mul_add(deviation, rounding)
+        if found.is_infinite() || predicted.is_infinite() {
+            return found == predicted;
+        }
+        let rounding = self.rounding * self.scale[place].max(predicted.abs());
+        (found - predicted).abs() <= SHARE.mul_add(deviation, rounding)
     }
 
     /// Whether it is the right number, rounded to single precision.
@@ -87,7 +96,17 @@ impl<'a> Evidence<'a> {
     }
 
     /// The evidence of these samples.
-    pub(super) fn of(court: &'a Court<'a>, samples: Vec<Sample>) -> Self {
+    pub(super) fn of(court: &'a Court<'a>, mut samples: Vec<Sample>) -> Self {
+        let largest = |sample: &Sample| {
+            let all = (0..sample.right.len()).filter_map(|place| sample.deviation(place));
+            all.filter(|deviation| deviation.is_finite()).fold(0.0, f64::max)
+        };
+        let gross = samples.iter().filter(|sample| largest(sample) > GROSS).count();
+        for sample in &mut samples {
+            // Large wrong numbers have large rounding errors, also in the small ones beside them.
+            sample.rounding =
+                if gross >= 3 { BESIDE_GROSS.max(1e-12 * largest(sample)) } else { ROUNDING };
+        }
         let names = names(court.formula.inputs(), court.formula.outputs(), court.wanted);
         let off = (0..names.len()).filter(|&place| samples.iter().any(|sample| sample.is_off(place))).collect();
         Self { court, samples, names, off }

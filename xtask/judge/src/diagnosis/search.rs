@@ -1,6 +1,6 @@
 //! Searches for the smallest set of known mistakes that explains the answers.
 
-use super::mistakes::mistakes;
+use super::mistakes::{fitted, mistakes};
 use super::model::{Model, Textbook};
 use super::sample::{Evidence, Sample};
 use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, IntoParallelRefIterator, ParallelIterator};
@@ -18,41 +18,61 @@ pub(super) struct Explanation {
     pub(super) explained: usize,
 }
 
-/// One mistake, or two, that explain nearly every sample.
-pub(super) fn explain(evidence: &Evidence<'_>) -> Option<Explanation> {
-    let book = Textbook::of(evidence.court.formula, &evidence.samples);
-    let trial = Trial { evidence, book: book.as_ref(), screen: screen(evidence) };
-    let all = mistakes(evidence, trial.book);
-    let scores: Vec<Option<usize>> = all.par_iter().map(|model| trial.score(model)).collect();
-    let whole = trial.screen.iter().map(|sample| trial.off_in(sample)).sum::<usize>();
-    let single = (0..all.len()).filter(|&k| scores[k] == Some(whole)).find_map(|k| trial.verified(&all[k]));
-    if single.is_some() {
-        return single;
+/// The mistakes that were tried one by one.
+pub(super) struct Tried<'a> {
+    trial: Trial<'a>,
+    all: Vec<Model>,
+    scores: Vec<Option<usize>>,
+}
+
+impl<'a> Tried<'a> {
+    pub(super) fn new(evidence: &'a Evidence<'_>, book: Option<&'a Textbook>) -> Self {
+        let trial = Trial { evidence, book, screen: screen(evidence) };
+        let all = mistakes(evidence, book);
+        let scores = all.par_iter().map(|model| trial.score(model)).collect();
+        Self { trial, all, scores }
     }
-    let mut partial: Vec<usize> = (0..all.len()).filter(|&k| scores[k].is_some_and(|score| score > 0)).collect();
-    partial.sort_by_key(|&k| (std::cmp::Reverse(scores[k]), k));
-    partial.truncate(PARTIAL);
-    let mut pairs = Vec::new();
-    let most = OPERATIONS / trial.cost();
-    for &first in &partial {
-        if pairs.len() + all.len() > most.max(all.len()) {
-            break;
-        }
-        pairs.extend((0..all.len()).filter(|second| *second != first).map(|second| (first, second)));
+
+    /// One mistake that explains nearly every sample.
+    pub(super) fn one(&self) -> Option<Explanation> {
+        let Self { trial, all, scores } = self;
+        let whole = trial.screen.iter().map(|sample| trial.off_in(sample)).sum::<usize>();
+        let single = (0..all.len()).filter(|&k| scores[k] == Some(whole)).find_map(|k| trial.verified(&all[k]));
+        single.or_else(|| {
+            let fitted = fitted(trial.evidence, trial.book?);
+            fitted.iter().filter(|model| trial.fits_screen(model)).find_map(|model| trial.verified(model))
+        })
     }
-    trial.together(&all, &pairs).or_else(|| {
-        // Three, if each explains something by itself.
-        let mut triples = Vec::new();
-        for (i, &a) in partial.iter().enumerate() {
-            for (j, &b) in partial.iter().enumerate().skip(i + 1) {
-                triples.extend(partial[j + 1..].iter().map(|&c| [a, b, c]));
+
+    /// Two mistakes that explain nearly every sample, or three.
+    pub(super) fn several(&self) -> Option<Explanation> {
+        let Self { trial, all, scores } = self;
+        let mut partial: Vec<usize> = (0..all.len()).filter(|&k| scores[k].is_some_and(|score| score > 0)).collect();
+        partial.sort_by_key(|&k| (std::cmp::Reverse(scores[k]), k));
+        partial.truncate(PARTIAL);
+        let mut pairs = Vec::new();
+        let most = OPERATIONS / trial.cost();
+        for &first in &partial {
+            if pairs.len() + all.len() > most.max(all.len()) {
+                break;
             }
+            pairs.extend((0..all.len()).filter(|second| *second != first).map(|second| (first, second)));
         }
-        triples.truncate(most / 4);
-        let models: Vec<_> = triples.into_par_iter().filter_map(|[a, b, c]| all[a].and(&all[b])?.and(&all[c])).collect();
-        let fitting: Vec<_> = models.par_iter().map(|model| trial.fits_screen(model)).collect();
-        models.iter().zip(fitting).filter(|(_, fits)| *fits).find_map(|(model, _)| trial.verified(model))
-    })
+        trial.together(all, &pairs).or_else(|| {
+            // Three, if each explains something by itself.
+            let mut triples = Vec::new();
+            for (i, &a) in partial.iter().enumerate() {
+                for (j, &b) in partial.iter().enumerate().skip(i + 1) {
+                    triples.extend(partial[j + 1..].iter().map(|&c| [a, b, c]));
+                }
+            }
+            triples.truncate(most / 4);
+            let together = |[a, b, c]: [usize; 3]| all[a].and(&all[b])?.and(&all[c]);
+            let models: Vec<_> = triples.into_par_iter().filter_map(together).collect();
+            let fitting: Vec<_> = models.par_iter().map(|model| trial.fits_screen(model)).collect();
+            models.iter().zip(fitting).filter(|(_, fits)| *fits).find_map(|(model, _)| trial.verified(model))
+        })
+    }
 }
 
 struct Trial<'a> {

@@ -1,6 +1,5 @@
 //! Words for operations of a formula, and for its branches.
 
-use super::mistakes::grouped;
 use super::model::{Scope, Textbook};
 use super::sample::Sample;
 use super::wording::expression;
@@ -16,8 +15,45 @@ pub(super) struct Words<'a> {
     samples: &'a [Sample],
     /// The field of every component of the inputs.
     fields: Vec<usize>,
-    /// What operations have in common that differ in components and axes alone.
-    keys: BTreeMap<Node, String>,
+    /// What operations have in common that differ in components, in axes, or in both.
+    keys: [BTreeMap<Node, String>; 3],
+}
+
+/// What operations may differ in to be of a family.
+#[derive(Clone, Copy, PartialEq)]
+enum Family {
+    Components,
+    Axes,
+    Both,
+}
+
+/// A text for every operation that is the same within a family.
+fn keys(book: &Textbook, inputs: &[Field], fields: &[usize], of: Family) -> BTreeMap<Node, String> {
+    let mut keys: BTreeMap<Node, String> = BTreeMap::new();
+    for &node in &book.needed {
+        let key = match book.graph.op(node) {
+            Op::Input(k) => {
+                let (field, component) = (inputs[fields[*k]], k - fields.iter().position(|f| *f == fields[*k]).unwrap_or(0));
+                let name = if of == Family::Components {
+                    field.name.to_owned()
+                } else {
+                    field.name.replace(|c: char| c.is_ascii_digit(), "#")
+                };
+                if of == Family::Axes { format!("{name}[{component}]") } else { name }
+            }
+            Op::Number(bits) => format!("{}", f64::from_bits(*bits).abs()),
+            op => {
+                let kind = format!("{op:?}");
+                let kind: String = kind.split("Node").next().unwrap_or_default().chars().take(24).collect();
+                let parts = op.operands().iter().map(|node| keys[node].as_str()).collect::<Vec<_>>().join(",");
+                // Long keys are told apart by a hash.
+                let text = format!("{kind}{parts})");
+                if text.len() < 60 { text } else { format!("{:x}", hash(&text)) }
+            }
+        };
+        keys.insert(node, key);
+    }
+    keys
 }
 
 impl<'a> Words<'a> {
@@ -25,23 +61,8 @@ impl<'a> Words<'a> {
         let inputs = formula.inputs();
         let fields: Vec<usize> =
             inputs.iter().enumerate().flat_map(|(k, field)| std::iter::repeat_n(k, field.len())).collect();
-        let mut keys: BTreeMap<Node, String> = BTreeMap::new();
-        for &node in &book.needed {
-            let op = book.graph.op(node);
-            let key = match op {
-                Op::Input(k) => inputs[fields[*k]].name.replace(|c: char| c.is_ascii_digit(), "#"),
-                Op::Number(bits) => format!("{}", f64::from_bits(*bits).abs()),
-                op => {
-                    let kind = format!("{op:?}");
-                    let kind: String = kind.split("Node").next().unwrap_or_default().chars().take(24).collect();
-                    let parts = op.operands().iter().map(|node| keys[node].as_str()).collect::<Vec<_>>().join(",");
-                    // Long keys are told apart by a hash.
-                    let text = format!("{kind}{parts})");
-                    if text.len() < 60 { text } else { format!("{:x}", hash(&text)) }
-                }
-            };
-            keys.insert(node, key);
-        }
+        let key = |of: Family| keys(book, inputs, &fields, of);
+        let keys = [Family::Components, Family::Axes, Family::Both].map(key);
         Self { book, inputs, samples, fields, keys }
     }
 
@@ -50,16 +71,67 @@ impl<'a> Words<'a> {
         expression(&self.book.graph, self.inputs, node)
     }
 
-    /// Operations that differ in components and axes alone, as those of a vector do.
+    /// Operations that differ in components or axes alone, as those of a vector do.
     pub(super) fn families(&self) -> Vec<Vec<Node>> {
-        let mut keys: BTreeMap<String, Vec<Node>> = BTreeMap::new();
-        for (&node, key) in &self.keys {
-            let op = self.book.graph.op(node);
-            if !matches!(op, Op::Input(_) | Op::Number(_) | Op::Compare(..)) {
-                keys.entry(key.clone()).or_default().push(node);
+        let mut families: Vec<Vec<Node>> = Vec::new();
+        for keys in &self.keys {
+            let mut groups: BTreeMap<&str, Vec<Node>> = BTreeMap::new();
+            for (&node, key) in keys {
+                let op = self.book.graph.op(node);
+                if !matches!(op, Op::Input(_) | Op::Number(_) | Op::Compare(..)) {
+                    groups.entry(key).or_default().push(node);
+                }
+            }
+            let groups = groups.into_values().filter(|nodes| (2..=24).contains(&nodes.len()));
+            for group in groups {
+                if !families.contains(&group) {
+                    families.push(group);
+                }
             }
         }
-        grouped(keys)
+        families
+    }
+
+    /// The same operand of every operation of a family, instead of which another input may be taken: the words, and what is
+    /// taken in each.
+    pub(super) fn other_fields(&self, family: &[Node]) -> Vec<(String, usize, Vec<Node>)> {
+        let graph = &self.book.graph;
+        let input = |node: Node| if let Op::Input(k) = graph.op(node) { Some(*k) } else { None };
+        let count = graph.op(family[0]).operands().len();
+        let mut others = Vec::new();
+        let start = |field: usize| self.fields.iter().position(|f| *f == field).unwrap_or(0);
+        let node_of = |k: usize| self.book.needed.iter().copied().find(|node| *graph.op(*node) == Op::Input(k));
+        for k in 0..count {
+            let own: Option<Vec<usize>> = family.iter().map(|node| input(graph.op(*node).operands()[k])).collect();
+            let Some(own) = own else { continue };
+            let field = self.fields[own[0]];
+            let places: Vec<usize> = own.iter().map(|k| k - start(self.fields[*k])).collect();
+            if own.iter().all(|k| self.fields[*k] == field) {
+                // Another vector.
+                for (other, alike) in self.inputs.iter().enumerate() {
+                    let mine = self.inputs[field];
+                    if other == field || alike.quantity.unit != mine.quantity.unit || alike.len() != mine.len() {
+                        continue;
+                    }
+                    let nodes: Option<Vec<Node>> = places.iter().map(|place| node_of(start(other) + place)).collect();
+                    if let Some(nodes) = nodes {
+                        others.push((format!("{} for {}", alike.name, mine.name), k, nodes));
+                    }
+                }
+            }
+            if places.iter().all(|place| *place == places[0]) {
+                // Another component.
+                for other in (0..self.inputs[field].len()).filter(|other| *other != places[0]) {
+                    let component = |k: &usize| node_of(start(self.fields[*k]) + other);
+                    let nodes: Option<Vec<Node>> = own.iter().map(component).collect();
+                    if let Some(nodes) = nodes {
+                        let name = self.inputs[field].name;
+                        others.push((format!("the component [{other}] for [{}] of {name}", places[0]), k, nodes));
+                    }
+                }
+            }
+        }
+        others
     }
 
     /// Operands of an operation that may be mistaken for others, by their indices: of the same field, or alike.
@@ -77,7 +149,7 @@ impl<'a> Words<'a> {
                     own == other || mine.quantity.unit == others.quantity.unit && mine.len() == others.len()
                 }
                 (Op::Number(_), _) | (_, Op::Number(_)) | (Op::Input(_), _) | (_, Op::Input(_)) => false,
-                _ => self.keys[&operand] == self.keys[other],
+                _ => self.keys[2][&operand] == self.keys[2][other],
             };
             let alike = self.book.needed.iter().take_while(|other| **other < place);
             others.extend(alike.filter(|other| **other != operand && is_alike(other)).map(|other| (k, *other)));
@@ -106,7 +178,7 @@ impl<'a> Words<'a> {
             return if sticks == holds { "stick" } else { "slip" }.to_owned();
         }
         let condition = self.name(comparison);
-        if condition.contains(" if ") || condition.contains('…') {
+        if condition.contains(" if ") || condition.contains('…') || condition.len() > 40 {
             return if holds { "one branch" } else { "the other branch" }.to_owned();
         }
         if holds { condition } else { format!("not {condition}") }
@@ -123,11 +195,10 @@ impl<'a> Words<'a> {
                 inputs[place] = factor;
                 self.book.holds(comparison, &inputs)
             };
-            let all: Vec<bool> = self.samples.iter().take(12).map(outcome).collect();
-            all.iter().all(|outcome| *outcome == all[0]).then(|| all.first().copied()).flatten()
+            self.samples.iter().take(24).filter(|sample| outcome(sample)).count()
         };
         let [none, much] = [with(0.0), with(1e12)];
-        (depends && none != much).then_some(much).flatten()
+        (depends && none != much).then_some(much > none)
     }
 
     /// A sentence with the names of an operation and its operands.
@@ -142,14 +213,14 @@ impl<'a> Words<'a> {
             let what = match scope {
                 Scope::Jacobian => " tangent",
                 Scope::Value => " value",
-                Scope::All => "",
+                Scope::All | Scope::Used => "",
             };
             return if template.contains("{?}") {
-                format!("the branches {from} and {into} are exchanged{}", if scope == Scope::All { "" } else { what })
+                format!("the branches {from} and {into} are exchanged{}", what)
             } else if from == "stick" || into == "stick" {
                 format!("{from}{what} in {into}")
             } else {
-                format!("one branch for all{}: {from}, also where {into}", if scope == Scope::All { "" } else { what })
+                format!("one branch for all{}: {from}, also where {into}", what)
             };
         }
         let mut text = template.replace("{}", &self.name(place));

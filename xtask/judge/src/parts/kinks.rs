@@ -2,6 +2,7 @@
 
 use super::{Deviations, OTHER, Part, Standing, of_points};
 use crate::answer::Answer;
+use crate::console::count;
 use crate::question::{Kind, Wanted, sizes};
 use crate::scale::scales;
 use crate::verdict::{Court, Grade};
@@ -32,6 +33,7 @@ impl Court<'_> {
         answers: &[Vec<Answer>; 2],
         all: &[Option<Deviations>],
         questions: &[usize],
+        is_same: &[bool],
     ) -> (Part, Vec<Grade>) {
         let title = "on kinks";
         let mut grades = vec![Grade::Right; self.wanted.numbers(sizes(self.formula))];
@@ -45,7 +47,10 @@ impl Court<'_> {
                 wrong.push(k);
                 continue;
             };
-            let is_off = |place: &usize| deviations[*place].is_some_and(|deviation| deviation > OTHER);
+            let is_nan = |place: usize| found[place].is_some_and(f64::is_nan);
+            let is_off = |place: &usize| {
+                deviations[*place].is_some_and(|deviation| deviation > OTHER) && (is_same[*place] || is_nan(*place))
+            };
             let off: Vec<_> = (0..found.len()).filter(is_off).collect();
             if off.is_empty() {
                 continue;
@@ -56,8 +61,7 @@ impl Court<'_> {
                 *sides.entry(condition).or_default() += 1;
                 off.iter().for_each(|&place| grades[place] = grades[place].max(Grade::Inaccurate));
             } else {
-                let are_nan = outside.iter().all(|&place| found[place].is_some_and(f64::is_nan));
-                if are_nan {
+                if outside.iter().any(|&place| is_nan(place)) {
                     *nan.entry(condition).or_default() += 1;
                 }
                 outside.iter().for_each(|&place| grades[place] = Grade::Wrong);
@@ -78,9 +82,10 @@ impl Court<'_> {
             Standing::Wrong => format!("right at {}", of_points(right, "point")),
         };
         let mut details = Vec::new();
-        for (condition, count) in &nan {
-            details.push(format!("NaN on the kink {condition} ({count} points): a quotient 0/0 without its own branch"));
-        }
+        let of_nan = |(condition, times): (&&str, &usize)| {
+            format!("NaN on the kink {condition} ({}): 0/0 without a branch of its own", count(*times, "point"))
+        };
+        let causes = nan.iter().map(of_nan).collect();
         for condition in sides.keys() {
             let side = self.side(condition, answers, questions);
             details.push(format!("on the kink {condition} it takes {side}; the formula takes another one"));
@@ -89,7 +94,7 @@ impl Court<'_> {
         if let Some(k) = point {
             details.extend(self.first_off(k, &answers[0][k], all[k].as_ref()));
         }
-        (Part { title, standing, right, says, details, point }, grades)
+        (Part { title, standing, right, says, causes, details, point }, grades)
     }
 
     /// The side of a kink whose derivatives a program has there, in words.

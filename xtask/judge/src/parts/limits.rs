@@ -3,6 +3,7 @@
 use super::{Deviations, OTHER, Part, Standing, of_points};
 use crate::answer::Answer;
 use crate::console::count;
+use crate::diagnosis;
 use crate::question::Kind;
 use crate::verdict::Court;
 
@@ -12,12 +13,15 @@ const SMALLEST: f64 = 323.3;
 
 impl Court<'_> {
     /// The part about sizes.
-    pub(super) fn limits(&self, answers: &[Vec<Answer>; 2], all: &[Option<Deviations>], questions: &[usize]) -> Part {
+    pub(super) fn limits(&self, answers: &[Vec<Answer>; 2], all: &[Option<Deviations>], questions: &[usize], is_same: &[bool]) -> Part {
         let title = "up to which sizes?";
         let is_asked = |k: &usize| !matches!(answers[0][*k], Answer::Skipped(_));
         let asked: Vec<_> = questions.iter().copied().filter(is_asked).collect();
         let is_off = |k: &usize| match &all[*k] {
-            Some(deviations) => deviations.iter().flatten().any(|deviation| *deviation > OTHER),
+            Some(deviations) => {
+                let mut all = deviations.iter().zip(is_same);
+                all.any(|(x, same)| x.is_some_and(|x| x > OTHER && *same || x.is_infinite()))
+            }
             None => true,
         };
         let off: Vec<_> = asked.iter().copied().filter(is_off).collect();
@@ -39,7 +43,7 @@ impl Court<'_> {
                 let Some(&(exponent, _, k)) = first(sign) else { continue };
                 let before = steps.iter().filter(|(other, ..)| other.signum() == sign && other.abs() < exponent.abs());
                 let before = before.map(|(other, ..)| *other).next_back().unwrap_or_default();
-                let what = what_is_lost(exponent, before, &answers[0][k]);
+                let what = what_is_lost(self, k, exponent, before, &answers[0][k]);
                 let limit = if sign > 0 { exponent } else { before };
                 details.push(format!("{word} {} = 1e{limit} {what}", fields.join(", ")));
             }
@@ -63,12 +67,12 @@ impl Court<'_> {
         if let Some(k) = point {
             details.extend(self.first_off(k, &answers[0][k], all[k].as_ref()));
         }
-        Part { title, standing, right, says, details, point }
+        Part { title, standing, right, says, details, point, ..Part::default() }
     }
 }
 
 /// What happens beyond a limit: which power leaves the range of doubles.
-fn what_is_lost(exponent: i32, before: i32, answer: &Answer) -> String {
+fn what_is_lost(court: &Court<'_>, k: usize, exponent: i32, before: i32, answer: &Answer) -> String {
     let numbers = match answer {
         Answer::Numbers(numbers) => numbers.iter().flatten().copied().collect(),
         Answer::Refused(_) => return "it refuses".into(),
@@ -89,12 +93,15 @@ fn what_is_lost(exponent: i32, before: i32, answer: &Answer) -> String {
     let least = if exponent > 0 { range } else { 307.6 };
     let is_power = |power: &&(f64, &str)| {
         let (low, high) = (least / power.0, range / power.0);
-        f64::from(before.abs()) < high + 0.5 && f64::from(exponent.abs()) > low - 1.0
+        f64::from(before.abs()) < high + 2.5 && f64::from(exponent.abs()) > low - 1.0
     };
     let powers = [(2.0, "a square"), (3.0, "a product of three"), (4.0, "a fourth power"), (1.0, "a sum or product")];
     let flows = if exponent > 0 { "overflows" } else { "underflows" };
     match powers.iter().find(is_power) {
-        Some((_, power)) => format!("{power} {flows}: {result}"),
+        Some((power, name)) => match diagnosis::length(court, k).filter(|_| *power == 2.0) {
+            Some(length) => format!("a square in {length} {flows}: {result}"),
+            None => format!("{name} {flows}: {result}"),
+        },
         None => format!("{result}: numbers of very different sizes meet"),
     }
 }
