@@ -40,6 +40,8 @@ pub(super) enum Change {
     Constant(f64),
     /// One of its operands is another result.
     Instead(usize, Node),
+    /// Another result, as it is without any change.
+    Value(Node),
 }
 
 /// A result with its derivatives by the nodes that it depends on.
@@ -117,6 +119,7 @@ impl Change {
                 ((y / x).atan(), vec![(operands[0], x / square), (operands[1], -y / square)])
             }
             Self::Constant(x) => (x, Vec::new()),
+            Self::Value(other) => (all[other.index()], Vec::new()),
             Self::Instead(k, other) => {
                 let mut operands = operands;
                 operands[k] = other;

@@ -92,7 +92,8 @@ fn by_results(evidence: &Evidence<'_>, book: &Textbook) -> Vec<Model> {
                 ratio.is_none_or(|ratio| (ratio - all[node.index()].powi(power)).abs() <= 1e-7 * ratio.abs())
             })
         };
-        let known = book.needed.iter().flat_map(|node| [1, -1, 2, -2].map(|power| (*node, power)));
+        let is_number = |node: &&Node| !matches!(book.graph.op(**node), Op::Compare(..) | Op::Number(_) | Op::Select(..));
+        let known = book.needed.iter().filter(is_number).flat_map(|node| [1, -1, 2, -2].map(|power| (*node, power)));
         if let Some((node, power)) = known.into_iter().find(|&(node, power)| fits(node, power)) {
             match groups.iter_mut().find(|(other, others_power, _)| (*other, *others_power) == (node, power)) {
                 Some((.., places)) => places.push(place),
@@ -119,7 +120,13 @@ pub(super) fn fitted(evidence: &Evidence<'_>, book: &Textbook) -> Vec<Model> {
     let words = Words::new(evidence.court.formula, book, &evidence.samples);
     let [value, rest] = evidence.parts();
     let samples = evidence.off_samples(&evidence.off);
-    let Some(sample) = samples.first() else { return Vec::new() };
+    let largest = |sample: &super::sample::Sample| {
+        let all = evidence.off.iter().filter_map(|&place| sample.deviation(place));
+        all.filter(|deviation| deviation.is_finite()).fold(0.0, f64::max)
+    };
+    // Where most is wrong the factor is known best.
+    let most = samples.iter().take(40).max_by(|a, b| largest(a).total_cmp(&largest(b)));
+    let Some(sample) = most.copied() else { return Vec::new() };
     let is_off = |part: &std::ops::Range<usize>| part.clone().find(|place| sample.is_off(*place));
     let (scopes, place): (&[Scope], usize) = match (is_off(&value), is_off(&rest)) {
         (Some(place), Some(_)) => (&[Scope::All, Scope::Used, Scope::Value], place),
@@ -175,7 +182,7 @@ fn root(f: impl Fn(f64) -> f64) -> Option<f64> {
             break;
         }
     }
-    let is_root = at_b.is_finite() && at_b.abs() <= 1e-9 * f(1.0).abs();
+    let is_root = at_b.is_finite() && at_b.abs() <= 1e-4 * f(1.0).abs();
     is_root.then_some(b)
 }
 
@@ -215,6 +222,13 @@ fn of_operations(evidence: &Evidence<'_>, book: &Textbook) -> Vec<Model> {
             }
             if !matches!(op, Op::Input(_) | Op::Number(_) | Op::Compare(..) | Op::Select(..)) {
                 all.push(one(place, Change::Times(0.0), "{} is left out"));
+            }
+        }
+        if matches!(scope, Scope::Used | Scope::Value) || rest.is_empty() {
+            for (a, b) in words.pairs() {
+                let changes = vec![(a, Change::Value(b)), (b, Change::Value(a))];
+                let what = format!("exchanged: {} and {}", words.name(a), words.name(b));
+                all.push(Model { changes, scope, ..Model::new(what) });
             }
         }
         for group in &groups {

@@ -100,7 +100,7 @@ fn by_parts(evidence: &Evidence<'_>, book: Option<&Textbook>) -> Option<Diagnosi
             sample
         };
         let alone = Evidence::of(evidence.court, evidence.samples.iter().map(without).collect());
-        if alone.off.is_empty() {
+        if alone.off_samples(&alone.off).len() < LEAST {
             return None;
         }
         let tried = Tried::new(&alone, book);

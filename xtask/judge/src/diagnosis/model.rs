@@ -42,14 +42,18 @@ impl Textbook {
     /// The results of all operations with changes of some, and the derivatives of each by its operands; these may be those of
     /// the right operations.
     fn run(&self, inputs: &[f64], changes: &[(Node, Change)], are_derivatives_right: bool) -> (Vec<f64>, Vec<Vec<(Node, f64)>>) {
-        let mut all = vec![f64::NAN; self.graph.ops().len()];
         let mut slopes = vec![Vec::new(); self.graph.ops().len()];
-        for &node in &self.needed {
+        let is_value = |(_, change): &(Node, Change)| matches!(change, Change::Value(_));
+        // What is taken from elsewhere has to be known, whether it is computed later or changed itself.
+        let before = if changes.iter().any(is_value) { self.run(inputs, &[], false).0 } else { Vec::new() };
+        let mut all = vec![f64::NAN; self.graph.ops().len()];
+        for node in self.order(changes) {
             let op = self.graph.op(node);
             let changed = changes.iter().find(|(place, _)| *place == node);
             let (result, by) = match changed {
                 Some((_, change)) => {
-                    let (result, by) = change.apply(op, inputs, &all);
+                    let values = if let Change::Value(_) = change { &before } else { &all };
+                    let (result, by) = change.apply(op, inputs, values);
                     if are_derivatives_right { (result, change::derivatives(op, result, &all)) } else { (result, by) }
                 }
                 None => change::right(op, inputs, &all),
@@ -58,6 +62,36 @@ impl Textbook {
             slopes[node.index()] = by;
         }
         (all, slopes)
+    }
+
+    /// An order in which everything is known that an operation needs, also with these changes.
+    fn order(&self, changes: &[(Node, Change)]) -> Vec<Node> {
+        let is_later = |(place, change): &(Node, Change)| matches!(change, Change::Instead(_, other) if other > place);
+        if !changes.iter().any(is_later) {
+            return self.needed.clone();
+        }
+        let (mut order, mut is_open, mut is_done) = (Vec::new(), vec![false; self.graph.ops().len()], vec![false; self.graph.ops().len()]);
+        // Operands come before what needs them; a change that needs itself is never done, and its result is no number.
+        let mut stack: Vec<(Node, bool)> = self.graph.value.iter().map(|node| (*node, false)).collect();
+        while let Some((node, is_last)) = stack.pop() {
+            if is_last {
+                is_done[node.index()] = true;
+                order.push(node);
+                continue;
+            }
+            if is_done[node.index()] || is_open[node.index()] {
+                continue;
+            }
+            is_open[node.index()] = true;
+            stack.push((node, true));
+            let mut operands = self.graph.op(node).operands();
+            operands.extend(changes.iter().filter(|(place, _)| *place == node).filter_map(|(_, change)| match change {
+                Change::Instead(_, other) => Some(*other),
+                _ => None,
+            }));
+            stack.extend(operands.into_iter().map(|node| (node, false)));
+        }
+        order
     }
 
     /// The results of all operations.
@@ -117,11 +151,12 @@ impl Textbook {
                 }
             }
         }
+        let order = self.order(changes);
         for &of in &self.graph.value {
             let mut adjoint = vec![0.0; all.len()];
             let mut gradient = vec![0.0; self.inputs];
             adjoint[of.index()] = 1.0;
-            for &node in self.needed.iter().rev() {
+            for &node in order.iter().rev() {
                 let slope = adjoint[node.index()];
                 if slope == 0.0 {
                     continue;

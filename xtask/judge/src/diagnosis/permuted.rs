@@ -54,6 +54,43 @@ pub(super) fn exchanges(evidence: &Evidence<'_>) -> Vec<(String, Places)> {
             exchanges.push((format!("exchanged: the {what} {name}"), swapped));
         }
     }
+    if has_jacobian {
+        exchanges.extend(columns(inputs, outputs, &same, entry));
+    }
+    exchanges
+}
+
+/// The derivatives by two inputs exchanged: of all outputs, or of one.
+fn columns(
+    inputs: &[Field],
+    outputs: &[Field],
+    same: &Places,
+    entry: impl Fn(usize, usize) -> usize,
+) -> Vec<(String, Places)> {
+    let starts = |fields: &[Field]| {
+        let mut next = 0;
+        let start = |field: &Field| {
+            next += field.len();
+            (*field, next - field.len())
+        };
+        fields.iter().map(start).collect::<Vec<_>>()
+    };
+    let (inputs, outputs) = (starts(inputs), starts(outputs));
+    let m: usize = outputs.iter().map(|(field, _)| field.len()).sum();
+    let rows = outputs.iter().map(|(field, start)| (format!(" of {}", field.name), *start..start + field.len()));
+    let all = [(String::new(), 0..m)].into_iter().chain(rows.filter(|_| outputs.len() > 1));
+    let mut exchanges = Vec::new();
+    for (whose, rows) in all {
+        for (k, (a, first)) in inputs.iter().enumerate() {
+            for (b, second) in inputs[k + 1..].iter().filter(|(b, _)| a.len() == b.len()) {
+                let mut swapped = same.clone();
+                for i in rows.clone() {
+                    (0..a.len()).for_each(|j| swapped.swap(entry(i, first + j), entry(i, second + j)));
+                }
+                exchanges.push((format!("exchanged: the derivatives{whose} by {} and {}", a.name, b.name), swapped));
+            }
+        }
+    }
     exchanges
 }
 

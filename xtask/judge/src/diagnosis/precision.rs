@@ -8,7 +8,7 @@ pub(super) fn single(x: f64) -> f32 {
     x as f32
 }
 
-/// Deviations of arithmetic in single precision, relative to the scale of a number: their median.
+/// Deviations of arithmetic in single precision, relative to the right numbers: their median.
 const SINGLE: std::ops::RangeInclusive<f64> = 3e-10..=3e-6;
 /// Deviations of finite differences.
 const DIFFERENCES: std::ops::RangeInclusive<f64> = 1e-12..=3e-4;
@@ -24,7 +24,10 @@ pub(super) fn cause(evidence: &Evidence<'_>, off: &[usize]) -> Option<String> {
     for sample in evidence.samples.iter() {
         for &place in off {
             let Some(found) = sample.found[place] else { continue };
-            deviations.push(sample.deviation(place).unwrap_or_default());
+            let right = sample.right[place];
+            if right != 0.0 {
+                deviations.push(((found - right) / right).abs());
+            }
             if found != 0.0 && found.is_finite() {
                 given += 1;
                 rounded += usize::from(f64::from(single(found)) == found);
@@ -51,10 +54,10 @@ pub(super) fn cause(evidence: &Evidence<'_>, off: &[usize]) -> Option<String> {
         });
     }
     let is_common = deviations.len() * 4 > given;
-    if off.iter().all(|&place| place >= m) && DIFFERENCES.contains(&at(50)) && at(99) < 1e-2 && is_common && spread(&deviations) {
+    if off.iter().all(|&place| place >= m) && DIFFERENCES.contains(&at(50)) && at(90) < 1e-2 && is_common && spread(&deviations) {
         return Some("the derivatives are finite differences, or have as few digits".into());
     }
-    (SINGLE.contains(&at(50)) && at(99) < 1e-3 && spread(&deviations))
+    (SINGLE.contains(&at(50)) && at(95) < 1e-3 && spread(&deviations))
         .then(|| "the arithmetic has single precision (32 bits) on the way".into())
 }
 

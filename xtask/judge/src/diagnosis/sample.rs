@@ -2,7 +2,7 @@
 
 use crate::answer::Answer;
 use crate::map::names;
-use crate::question::{Question, sizes};
+use crate::question::{Kind, Question, sizes};
 use crate::scale::scales;
 use crate::verdict::Court;
 use std::ops::Range;
@@ -87,7 +87,10 @@ impl<'a> Evidence<'a> {
     pub(super) fn new(court: &'a Court<'a>, answers: &[Answer], questions: impl Iterator<Item = usize>) -> Self {
         let most = (NUMBERS / court.wanted.numbers(sizes(court.formula))).clamp(12, POINTS);
         let sample = |k: usize| Sample::new(court, &court.questions[k], &answers[k]);
-        let samples: Vec<_> = questions.filter_map(sample).collect();
+        // Points in general position come first.
+        let is_special = |k: &usize| court.questions[*k].kind == Kind::Special;
+        let (special, general): (Vec<_>, Vec<_>) = questions.partition(is_special);
+        let samples: Vec<_> = general.into_iter().chain(special).filter_map(sample).collect();
         let (off, right): (Vec<_>, Vec<_>) =
             samples.into_iter().partition(|sample| (0..sample.right.len()).any(|place| sample.is_off(place)));
         let kept = most - right.len().min(most / 4);

@@ -37,7 +37,10 @@ fn keys(book: &Textbook, inputs: &[Field], fields: &[usize], of: Family) -> BTre
                 let name = if of == Family::Components {
                     field.name.to_owned()
                 } else {
-                    field.name.replace(|c: char| c.is_ascii_digit(), "#")
+                    // e1a, e3b: e#; x1, xn, xm: x#.
+                    let letters: String = field.name.chars().filter(|c| !c.is_ascii_digit()).collect();
+                    let stem = letters.strip_suffix(['a', 'b']).filter(|_| letters.len() < field.name.len());
+                    format!("{}#", stem.unwrap_or(&letters))
                 };
                 if of == Family::Axes { format!("{name}[{component}]") } else { name }
             }
@@ -151,10 +154,34 @@ impl<'a> Words<'a> {
                 (Op::Number(_), _) | (_, Op::Number(_)) | (Op::Input(_), _) | (_, Op::Input(_)) => false,
                 _ => self.keys[2][&operand] == self.keys[2][other],
             };
-            let alike = self.book.needed.iter().take_while(|other| **other < place);
-            others.extend(alike.filter(|other| **other != operand && is_alike(other)).map(|other| (k, *other)));
+            let alike = self.book.needed.iter().filter(|other| **other != operand && is_alike(other));
+            others.extend(alike.map(|other| (k, *other)));
+            // A function that is left out at one of its uses.
+            let users = self.book.needed.iter().filter(|user| self.book.graph.op(**user).operands().contains(&operand));
+            if users.count() > 1 {
+                let mut within = self.book.graph.op(operand).operands();
+                within.dedup();
+                let is_number = |node: &Node| self.book.graph.constant(*node).is_none();
+                others.extend(within.into_iter().filter(is_number).map(|within| (k, within)));
+            }
         }
         others
+    }
+
+    /// Pairs of results that may be exchanged: inputs are exchanged elsewhere.
+    pub(super) fn pairs(&self) -> Vec<(Node, Node)> {
+        let mut groups: BTreeMap<&str, Vec<Node>> = BTreeMap::new();
+        for (&node, key) in &self.keys[2] {
+            if !matches!(self.book.graph.op(node), Op::Input(_) | Op::Number(_) | Op::Compare(..) | Op::Select(..)) {
+                groups.entry(key).or_default().push(node);
+            }
+        }
+        let few = groups.into_values().filter(|group| (2..=6).contains(&group.len()));
+        few.flat_map(|group| {
+            let pairs = group.iter().enumerate().flat_map(|(k, a)| group[k + 1..].iter().map(|b| (*a, *b)));
+            pairs.collect::<Vec<_>>()
+        })
+        .collect()
     }
 
     /// The number whose sign this operation chooses by.
