@@ -13,6 +13,7 @@ mod golden_readers;
 mod installed;
 mod new;
 mod port;
+mod ports;
 mod prose;
 mod scene;
 mod schema;

@@ -36,7 +36,12 @@ pub(super) fn causes(verdict: &Parts) -> Vec<String> {
     let is_wrong = verdict.parts.iter().any(|part| part.standing == Standing::Wrong);
     let named: Vec<_> = verdict.parts.iter().flat_map(|part| part.causes.iter().cloned()).collect();
     match (causes.is_empty() && named.is_empty(), is_wrong) {
-        (true, true) => vec!["unexplained".into()],
+        (true, true) => match verdict.parts[0].right {
+            [right, all] if (1..3).contains(&(all - right)) && all > 3 => {
+                vec![format!("unexplained: it is off at {} alone", count(all - right, "point"))]
+            }
+            _ => vec!["unexplained".into()],
+        },
         _ => [causes, named].concat(),
     }
 }

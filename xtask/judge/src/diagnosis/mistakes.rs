@@ -33,7 +33,15 @@ fn of_numbers(evidence: &Evidence<'_>) -> Vec<Model> {
         (what, changed.map(|(place, &from)| (place, vec![(from, 1.0)])).collect::<Vec<_>>())
     });
     let symmetric = if evidence.court.wanted == Wanted::Products { Vec::new() } else { symmetric::parts(evidence) };
-    let all = groups.into_iter().chain(together).chain(moved).chain(symmetric);
+    let [value, rest] = evidence.parts();
+    let turned = |what: &str, places: std::ops::Range<usize>| {
+        let map: Vec<_> = places.map(|place| (place, vec![(place, -1.0)])).collect();
+        (format!("the sign is turned of {what}"), map)
+    };
+    // These are looked for in any case, since beside other mistakes no number is a multiple of the right one.
+    let signs = [("the whole Jacobian", rest), ("the whole value", value)];
+    let signs = signs.into_iter().filter(|(_, places)| !places.is_empty()).map(|(what, places)| turned(what, places));
+    let all = groups.into_iter().chain(together).chain(signs).chain(moved).chain(symmetric);
     all.map(|(what, map)| Model { maps: vec![map], ..Model::new(what) }).collect()
 }
 
@@ -211,7 +219,12 @@ fn of_operations(evidence: &Evidence<'_>, book: &Textbook) -> Vec<Model> {
             }
             for (k, other) in words.others(place) {
                 let own = op.operands()[k];
-                let template = format!("{} for {} in {{}}", words.name(other), words.name(own));
+                let template = match book.graph.op(own) {
+                    Op::Binary(Binary::Multiply, x, y) if x == y && *x == other => {
+                        format!("the square of {} is forgotten in {{}}", words.name(other))
+                    }
+                    _ => format!("{} for {} in {{}}", words.name(other), words.name(own)),
+                };
                 all.push(one(place, Change::Instead(k, other), &template));
             }
             if let Some(x) = words.sign_of(place) {

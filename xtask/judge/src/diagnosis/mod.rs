@@ -104,11 +104,20 @@ fn by_parts(evidence: &Evidence<'_>, book: Option<&Textbook>) -> Option<Diagnosi
             return None;
         }
         let tried = Tried::new(&alone, book);
-        let known = tried.one().or_else(|| tried.several()).map(|found| found.what);
-        Some(known.or_else(|| precision::cause(&alone, &alone.off).map(|what| vec![what])))
+        Some(tried.one().or_else(|| tried.several()).map(|found| found.what).ok_or(alone))
     };
     let [value, rest] = [of(&value), of(&rest)];
-    if value.iter().chain(&rest).all(Option::is_none) {
+    // The digits of one part alone tell something if the other part is known.
+    let precise = |part: Option<Result<Vec<String>, Evidence<'_>>>, is_other_known: bool| {
+        part.map(|part| match part {
+            Ok(what) => Some(what),
+            Err(alone) if is_other_known => Some(vec![precision::cause(&alone, &alone.off)?]),
+            Err(_) => None,
+        })
+    };
+    let [is_value_known, is_rest_known] = [&value, &rest].map(|part| !matches!(part, Some(Err(_))));
+    let (value, rest) = (precise(value, is_rest_known), precise(rest, is_value_known));
+    if [&value, &rest].iter().all(|part| part.as_ref().is_none_or(Option::is_none)) {
         return None;
     }
     let described = |part: &str, cause: Option<Option<Vec<String>>>| match cause {

@@ -247,6 +247,12 @@ impl Model {
         Self { what: vec![what], inputs: None, changes: Vec::new(), links: Vec::new(), scope: Scope::All, maps: Vec::new(), scaled: Vec::new() }
     }
 
+    /// Whether numbers are only moved, or change their signs.
+    pub(super) fn is_of_numbers_alone(&self) -> bool {
+        let is_moved = |(_, terms): &(usize, Vec<(usize, f64)>)| matches!(terms.as_slice(), [(_, factor)] if factor.abs() == 1.0);
+        !self.maps.is_empty() && self.maps.iter().flatten().all(is_moved)
+    }
+
     /// A program that has the mistakes of both; `None` if they exclude each other.
     pub(super) fn and(&self, other: &Self) -> Option<Self> {
         let inputs = match (&self.inputs, &other.inputs) {

@@ -55,6 +55,11 @@ pub(super) fn exchanges(evidence: &Evidence<'_>) -> Vec<(String, Places)> {
         }
     }
     if has_jacobian {
+        for (name, a, b) in pairs(outputs) {
+            let mut swapped = same.clone();
+            (0..n).for_each(|k| swapped.swap(entry(a, k), entry(b, k)));
+            exchanges.push((format!("exchanged: the derivatives of {name}"), swapped));
+        }
         exchanges.extend(columns(inputs, outputs, &same, entry));
     }
     exchanges

@@ -9,6 +9,8 @@ use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, IntoParallelRef
 const SCREEN: usize = 5;
 /// Partial explanations that are combined with every other mistake.
 const PARTIAL: usize = 24;
+/// Exchanges of numbers that are combined with every other mistake.
+const MOVES: usize = 10;
 /// Operations that are computed at most for pairs of mistakes, to limit the time.
 const OPERATIONS: usize = 60_000_000;
 
@@ -50,6 +52,9 @@ impl<'a> Tried<'a> {
         let mut partial: Vec<usize> = (0..all.len()).filter(|&k| scores[k].is_some_and(|score| score > 0)).collect();
         partial.sort_by_key(|&k| (std::cmp::Reverse(scores[k]), k));
         partial.truncate(PARTIAL);
+        // What exchanges whole outputs explains nothing by itself where these are wrong, too.
+        let moves = (0..all.len()).filter(|k| all[*k].is_of_numbers_alone() && scores[*k].is_none());
+        partial.extend(moves.take(MOVES));
         let mut pairs = Vec::new();
         let most = OPERATIONS / trial.cost();
         for &first in &partial {
