@@ -35,7 +35,10 @@ const PORTS: [Port; 6] = [
         file: "contact_force.f90",
         formula: "translator.contact_force",
         options: &[],
-        limits: &["f2, f3 = 1e154 a square in length(f2, f3) overflows", "= 1e154 a square in length(m2, m3) overflows"],
+        limits: &[
+            "f2, f3 = 1e154 a square in length(f2, f3) overflows",
+            "= 1e154 a square in length(m2, m3) overflows",
+        ],
     },
     Port {
         file: "contact_moments.f90",
@@ -111,7 +114,8 @@ impl Port {
         fs::write(&file, text).unwrap();
         let program = folder.join("program");
         let compile = |compiler: &str, last: &[&str]| {
-            let output = Command::new(compiler).args(["-O1", "-o"]).args([&program, &file]).args(last).output().unwrap();
+            let output =
+                Command::new(compiler).args(["-O1", "-o"]).args([&program, &file]).args(last).output().unwrap();
             assert!(output.status.success(), "{}: {}", self.file, String::from_utf8_lossy(&output.stderr));
             vec![program.to_str().unwrap().to_owned()]
         };

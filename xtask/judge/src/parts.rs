@@ -119,7 +119,11 @@ impl Court<'_> {
         let diagnosis = match same.standing {
             // What is smoothed shows near kinks alone.
             Standing::Right if kinks.standing == Standing::Wrong => {
-                let near: Vec<_> = on_kinks.iter().copied().filter(|&k| self.formula.judge().kink(&self.questions[k].inputs).is_none()).collect();
+                let near: Vec<_> = on_kinks
+                    .iter()
+                    .copied()
+                    .filter(|&k| self.formula.judge().kink(&self.questions[k].inputs).is_none())
+                    .collect();
                 diagnosis::diagnose(self, answers, verdict, &near)
             }
             _ => diagnosis,
@@ -134,7 +138,8 @@ impl Court<'_> {
         ];
         let grades = (0..numbers).map(|place| {
             let of_kinks = kink_grades.get(place).copied().unwrap_or_default();
-            let of_numbers = verdict.tallies.get(place).map(|tally| tally.grade.min(Grade::Inaccurate)).unwrap_or_default();
+            let of_numbers =
+                verdict.tallies.get(place).map(|tally| tally.grade.min(Grade::Inaccurate)).unwrap_or_default();
             let of_function = if counts[place][0] > 0 { Grade::Wrong } else { Grade::Right };
             of_function.max(of_kinks).max(of_numbers)
         });
@@ -150,7 +155,8 @@ impl Court<'_> {
         ordinary: &[usize],
     ) -> (Part, Diagnosis) {
         let title = "the same function?";
-        let worst = |k: usize| all[k].iter().flatten().flatten().fold(0.0_f64, |worst, deviation| worst.max(*deviation));
+        let worst =
+            |k: usize| all[k].iter().flatten().flatten().fold(0.0_f64, |worst, deviation| worst.max(*deviation));
         let is_answered = |k: &usize| matches!(answers[0][*k], Answer::Numbers(_));
         let is_special = |k: usize| self.questions[k].kind == Kind::Special;
         // A point chosen for its difficulty may cost digits, but not all of them.

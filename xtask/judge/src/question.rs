@@ -4,7 +4,7 @@ use jointproof::Error;
 use jointproof::catalog::AnyFormula;
 use jointproof::formula::Field;
 use jointproof::formula::quantity::{Domain, Unit};
-use jointproof::toolkit::verify::{Judge, Options, Sampler};
+use jointproof::toolkit::verify::{Judge, Sampler};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use std::ops::RangeInclusive;
 
@@ -173,13 +173,12 @@ fn kind(judge: &Judge, name: &str, inputs: &[f64]) -> Kind {
 
 /// The exponents of a ladder.
 const RUNGS: [i32; 34] = [
-    -300, -250, -200, -162, -161, -160, -155, -154, -153, -140, -110, -104, -102, -80, -77, -76, -50, -20, 20, 50, 76, 77, 78,
-    80, 102, 103, 104, 140, 152, 153, 154, 155, 200, 300,
+    -300, -250, -200, -162, -161, -160, -155, -154, -153, -140, -110, -104, -102, -80, -77, -76, -50, -20, 20, 50, 76,
+    77, 78, 80, 102, 103, 104, 140, 152, 153, 154, 155, 200, 300,
 ];
 
 /// Points at which a field is 0, or all of them: there quotients are 0/0.
-pub(super) fn zeros(formula: &dyn AnyFormula, seed: u64) -> Vec<(String, Vec<f64>)> {
-    let Some((_, start)) = formula.judge().points(&Options { samples: 1, seed }).pop() else { return Vec::new() };
+pub(super) fn zeros(formula: &dyn AnyFormula, start: &[f64]) -> Vec<(String, Vec<f64>)> {
     let inputs = formula.inputs();
     let without = |is_zero: &dyn Fn(&Field) -> bool| {
         let zeros = inputs.iter().flat_map(|field| std::iter::repeat_n(is_zero(field), field.len()));
@@ -191,8 +190,8 @@ pub(super) fn zeros(formula: &dyn AnyFormula, seed: u64) -> Vec<(String, Vec<f64
     one.chain(all).collect()
 }
 
-/// Points at which the fields of a unit are scaled together, from a random point: they tell where a program over- or underflows.
-pub(super) fn ladder(formula: &dyn AnyFormula, seed: u64) -> Vec<(Rung, Vec<f64>)> {
+/// Points at which the fields of a unit are scaled together, from this point: they tell where a program over- or underflows.
+pub(super) fn ladder(formula: &dyn AnyFormula, start: &[f64]) -> Vec<(Rung, Vec<f64>)> {
     let inputs = formula.inputs();
     let mut units: Vec<Unit> = Vec::new();
     for field in inputs.iter().filter(|field| is_scalable(field)) {
@@ -200,13 +199,12 @@ pub(super) fn ladder(formula: &dyn AnyFormula, seed: u64) -> Vec<(Rung, Vec<f64>
             units.push(field.quantity.unit);
         }
     }
-    let Some(start) = formula.judge().points(&Options { samples: 1, seed }).pop() else { return Vec::new() };
     let mut rungs = Vec::new();
     for unit in units {
         let is_scaled = |field: &Field| is_scalable(field) && field.quantity.unit == unit;
         let fields: Vec<_> = inputs.iter().filter(|field| is_scaled(field)).map(|field| field.name).collect();
         let (mut first, mut size) = (0, 1.0_f64);
-        let mut drawn = start.1.clone();
+        let mut drawn = start.to_vec();
         for field in inputs {
             // Of one size, so that all of them come to the limit.
             for x in &mut drawn[first..first + field.len()] {

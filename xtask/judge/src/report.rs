@@ -1,8 +1,8 @@
 //! The report of a check.
 
 use super::answer::Heard;
-use super::map::{map, names};
 use super::judgement::is_well;
+use super::map::{map, names};
 use super::parts::{Parts, Standing};
 use super::verdict::{Court, Grade, Verdict, Worst};
 use crate::console::{bold, count, figure, green, red, yellow};
@@ -35,7 +35,9 @@ pub(super) fn causes(verdict: &Parts) -> Vec<String> {
     let causes = verdict.diagnosis.lines();
     let is_wrong = verdict.parts.iter().any(|part| part.standing == Standing::Wrong);
     let named: Vec<_> = verdict.parts.iter().flat_map(|part| part.causes.iter().cloned()).collect();
-    match (causes.is_empty() && named.is_empty(), is_wrong) {
+    // What is wrong on kinks does not explain what is wrong elsewhere.
+    let is_unexplained = causes.is_empty() && verdict.parts[0].standing == Standing::Wrong;
+    match (is_unexplained || causes.is_empty() && named.is_empty(), is_wrong) {
         (true, true) => match verdict.parts[0].right {
             [right, all] if (1..3).contains(&(all - right)) && all > 3 => {
                 vec![format!("unexplained: it is off at {} alone", count(all - right, "point"))]
@@ -77,7 +79,13 @@ pub(super) fn text(
             let _ = writeln!(text, "    {:wide$}  {detail}", "");
         }
         if let Some(point) = part.point {
-            let _ = writeln!(text, "    {:wide$}  at the point {}\n      {}", "", court.questions[point].name, self::point(court, point));
+            let _ = writeln!(
+                text,
+                "    {:wide$}  at the point {}\n      {}",
+                "",
+                court.questions[point].name,
+                self::point(court, point)
+            );
         }
     }
     let mut line = |what: String| {
@@ -188,4 +196,3 @@ fn places(court: &Court<'_>, questions: &[usize]) -> String {
         _ => names.join(", "),
     }
 }
-

@@ -12,12 +12,7 @@ use jointproof::formula::quantity::Unit;
 /// The scale of an output is the largest component of the outputs of its unit, each with what relative changes of the inputs do
 /// to it, and of the inputs of this unit. That of a derivative is the largest entry by inputs of the same unit of these outputs,
 /// and the scale of the output divided by the size of these inputs.
-pub(super) fn scales(
-    formula: &dyn AnyFormula,
-    wanted: Wanted,
-    question: &Question,
-    right: &[f64],
-) -> Option<Vec<f64>> {
+pub(super) fn scales(formula: &dyn AnyFormula, wanted: Wanted, question: &Question, right: &[f64]) -> Option<Vec<f64>> {
     let [n, m] = sizes(formula);
     let x = &question.inputs;
     let own;
@@ -41,7 +36,11 @@ pub(super) fn scales(
     };
     for (output, rows) in &outputs {
         let alike = |fields: &[(&'static Field, std::ops::Range<usize>)], unit: Unit| -> Vec<usize> {
-            fields.iter().filter(|(field, _)| field.quantity.unit == unit).flat_map(|(_, places)| places.clone()).collect()
+            fields
+                .iter()
+                .filter(|(field, _)| field.quantity.unit == unit)
+                .flat_map(|(_, places)| places.clone())
+                .collect()
         };
         let of_alike = alike(&outputs, output.quantity.unit);
         let size = of_alike.iter().map(|&i| of_row(i)).fold(of_unit(output.quantity.unit), f64::max);

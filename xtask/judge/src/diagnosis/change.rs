@@ -129,7 +129,8 @@ impl Change {
     }
 }
 
-/// A change of an operation with the words for it, in which `{0}`, `{1}` are its operands and `{}` the whole.
+/// A change of an operation with the words for it, in which `{0}`, `{1}` are its operands and `{}` the whole; `{+}`, `{-}` and `{?}`
+/// are sides of a comparison.
 pub(super) type Worded = (Change, String);
 
 /// Widths of transitions, and numbers that are added below roots, as programs have them.
@@ -254,8 +255,6 @@ pub(super) fn changes(op: &Op) -> Vec<Worded> {
             of(Change::Constant(0.0), "one branch for all: {-}"),
             of(Change::Turned, "the branches are exchanged: {?}"),
         ],
-        Op::Compare(..) => Vec::new(),
-        Op::Select(_, x, y) if x != y => Vec::new(),
         _ => Vec::new(),
     };
     if matches!(op, Op::Norm(_) | Op::Unary(Unary::Root | Unary::Absolute, _)) {

@@ -72,9 +72,7 @@ pub(super) fn word(factor: f64) -> Option<String> {
 /// A name for these numbers, in as few words as possible.
 pub(super) fn whose(evidence: &Evidence<'_>, places: &BTreeSet<usize>) -> String {
     let [value, rest] = evidence.parts();
-    let alive = |place: &usize| {
-        evidence.samples.iter().any(|sample| sample.right[*place] != 0.0)
-    };
+    let alive = |place: &usize| evidence.samples.iter().any(|sample| sample.right[*place] != 0.0);
     let all: BTreeSet<usize> = rest.clone().filter(alive).collect();
     let (values, rest): (BTreeSet<usize>, BTreeSet<usize>) = places.iter().partition(|place| value.contains(place));
     let (inputs, outputs) = (evidence.court.formula.inputs(), evidence.court.formula.outputs());

@@ -100,7 +100,8 @@ fn by_results(evidence: &Evidence<'_>, book: &Textbook) -> Vec<Model> {
                 ratio.is_none_or(|ratio| (ratio - all[node.index()].powi(power)).abs() <= 1e-7 * ratio.abs())
             })
         };
-        let is_number = |node: &&Node| !matches!(book.graph.op(**node), Op::Compare(..) | Op::Number(_) | Op::Select(..));
+        let is_number =
+            |node: &&Node| !matches!(book.graph.op(**node), Op::Compare(..) | Op::Number(_) | Op::Select(..));
         let known = book.needed.iter().filter(is_number).flat_map(|node| [1, -1, 2, -2].map(|power| (*node, power)));
         if let Some((node, power)) = known.into_iter().find(|&(node, power)| fits(node, power)) {
             match groups.iter_mut().find(|(other, others_power, _)| (*other, *others_power) == (node, power)) {
@@ -149,7 +150,11 @@ pub(super) fn fitted(evidence: &Evidence<'_>, book: &Textbook) -> Vec<Model> {
             continue;
         }
         for &scope in scopes {
-            let with = |factor: f64| Model { changes: vec![(node, Change::Times(factor))], scope, ..Model::new(String::new()) };
+            let with = |factor: f64| Model {
+                changes: vec![(node, Change::Times(factor))],
+                scope,
+                ..Model::new(String::new())
+            };
             let found = sample.found[place].unwrap_or(f64::NAN);
             let off = |factor: f64| with(factor).predicted(Some(book), evidence.court.formula, sample)[place] - found;
             let Some(factor) = root(off) else { continue };
@@ -229,7 +234,7 @@ fn of_operations(evidence: &Evidence<'_>, book: &Textbook) -> Vec<Model> {
             }
             if let Some(x) = words.sign_of(place) {
                 for width in super::change::SMALL.into_iter().chain([0.1, 1.0]) {
-                    let template = format!("tanh({} / {width:e}) for the sign of {0}", words.name(x), );
+                    let template = format!("tanh({} / {width:e}) for the sign of {0}", words.name(x),);
                     all.push(one(place, Change::Smooth(x, width), &template));
                 }
             }
@@ -255,7 +260,12 @@ fn of_operations(evidence: &Evidence<'_>, book: &Textbook) -> Vec<Model> {
                 all.push(Model { changes, scope, ..Model::new(what) });
             }
             for (what, k, nodes) in words.other_fields(group) {
-                let what = words.fill(&format!("{what} in {{}}, and so in all {} like it", group.len()), first, scope, rest.is_empty());
+                let what = words.fill(
+                    &format!("{what} in {{}}, and so in all {} like it", group.len()),
+                    first,
+                    scope,
+                    rest.is_empty(),
+                );
                 let changes = group.iter().zip(nodes).map(|(place, node)| (*place, Change::Instead(k, node))).collect();
                 all.push(Model { changes, scope, ..Model::new(what) });
             }
@@ -270,7 +280,8 @@ fn of_operations(evidence: &Evidence<'_>, book: &Textbook) -> Vec<Model> {
 /// Mistakes in the derivatives of operations: left out, with another factor, not divided by something.
 fn links(book: &Textbook, words: &Words<'_>, groups: &[Vec<Node>]) -> Vec<Model> {
     let mut all = Vec::new();
-    let factors = [(0.0, "is left out"), (-1.0, "has the wrong sign"), (2.0, "is twice as large"), (0.5, "is half as large")];
+    let factors =
+        [(0.0, "is left out"), (-1.0, "has the wrong sign"), (2.0, "is twice as large"), (0.5, "is half as large")];
     for &of in book.needed.iter().rev() {
         let op = book.graph.op(of);
         if matches!(op, Op::Input(_) | Op::Number(_) | Op::Compare(..) | Op::Select(..)) {
@@ -301,7 +312,11 @@ fn links(book: &Textbook, words: &Words<'_>, groups: &[Vec<Node>]) -> Vec<Model>
             }
             Op::Unary(Unary::Absolute, x) => {
                 let of_x = words.name(*x);
-                all.push(link(None, Times::Sign(*x), format!("the sign of {of_x} is left out in the derivative of {whole}")));
+                all.push(link(
+                    None,
+                    Times::Sign(*x),
+                    format!("the sign of {of_x} is left out in the derivative of {whole}"),
+                ));
                 for width in super::change::SMALL.into_iter().chain([0.1, 1.0]) {
                     let what = format!("tanh({of_x} / {width:e}) for the sign of {of_x} in the derivative of {whole}");
                     all.push(link(None, Times::Tanh(*x, width), what));
@@ -309,12 +324,18 @@ fn links(book: &Textbook, words: &Words<'_>, groups: &[Vec<Node>]) -> Vec<Model>
             }
             Op::Binary(Binary::Divide, _, y) => {
                 let by = words.name(*y);
-                all.push(link(Some(*y), Times::Result(*y, 1), format!("the derivative of {whole} by {by} is not divided by its square")));
+                all.push(link(
+                    Some(*y),
+                    Times::Result(*y, 1),
+                    format!("the derivative of {whole} by {by} is not divided by its square"),
+                ));
                 all.push(link(None, Times::Result(*y, 1), format!("the derivative of {whole} is not divided by {by}")));
             }
             Op::Binary(Binary::Angle, y, x) => {
                 let (y_name, x_name) = (words.name(*y), words.name(*x));
-                let what = format!("the derivative of {whole} is not divided by the sum of the squares of {y_name} and {x_name}");
+                let what = format!(
+                    "the derivative of {whole} is not divided by the sum of the squares of {y_name} and {x_name}"
+                );
                 all.push(link(None, Times::Squares(*y, *x), what));
             }
             _ => {}
@@ -328,7 +349,11 @@ fn links(book: &Textbook, words: &Words<'_>, groups: &[Vec<Node>]) -> Vec<Model>
             Model { links: group.iter().map(link).collect(), ..Model::new(what) }
         };
         for (factor, what) in factors {
-            all.push(of_all(None, factor, format!("the derivative of {name} {what}, and so in all {} like it", group.len())));
+            all.push(of_all(
+                None,
+                factor,
+                format!("the derivative of {name} {what}, and so in all {} like it", group.len()),
+            ));
             let count = operands(&group[0]).len();
             for k in (0..count).filter(|_| count > 1) {
                 let by = words.name(operands(&group[0])[k]);
@@ -338,4 +363,60 @@ fn links(book: &Textbook, words: &Words<'_>, groups: &[Vec<Node>]) -> Vec<Model>
         }
     }
     all
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::answer::Answer;
+    use crate::question::of_points;
+    use crate::verdict::{Bounds, Court};
+    use jointproof::catalog::find;
+
+    /// The Jacobian of every mistaken program is the derivative of its values.
+    #[test]
+    fn derivatives_follow_from_mistakes() {
+        let formulas: [(&str, &[f64]); 3] = [
+            ("slot.friction", &[-7.0, 3.0, 4.5, -1.5, 0.3]),
+            ("interaction.pressure_exponential", &[0.1, 0.7, 1.3]),
+            ("slider.line", &[0.3, -0.7, 1.1, 2.3, 0.9, -1.7]),
+        ];
+        let mut looked = 0;
+        for (id, at) in formulas {
+            let formula = find(id).unwrap();
+            let questions = of_points(formula, Wanted::Jacobian, vec![("random 0".into(), at.to_vec())], 1);
+            let court = Court {
+                formula,
+                wanted: Wanted::Jacobian,
+                bounds: Bounds::of(formula),
+                questions: &questions,
+                is_strict: false,
+            };
+            let wrong = questions[0].right(formula, Wanted::Jacobian).unwrap().iter().map(|x| Some(x + 1.0)).collect();
+            let evidence = Evidence::new(&court, &[Answer::Numbers(wrong)], 0..1);
+            let book = Textbook::of(formula, &evidence.samples).unwrap();
+            let m = book.graph.value.len();
+            for model in of_operations(&evidence, &book)
+                .iter()
+                .filter(|model| model.scope == Scope::All && model.links.is_empty())
+            {
+                let value = |k: usize, step: f64| {
+                    let mut sample = evidence.samples[0].clone();
+                    sample.inputs[k] += step;
+                    model.predicted(Some(&book), formula, &sample)
+                };
+                let here = value(0, 0.0);
+                for k in 0..at.len() {
+                    let (above, below) = (value(k, 1e-6), value(k, -1e-6));
+                    for i in 0..m {
+                        let (slope, found) = ((above[i] - below[i]) / 2e-6, here[m + i * at.len() + k]);
+                        let is_near = (slope - found).abs() <= 1e-6 * (1.0 + slope.abs() + here[i].abs());
+                        assert!(is_near || !slope.is_finite(), "{id}, {:?}: {slope} {found}", model.what);
+                        looked += usize::from(slope.is_finite());
+                    }
+                }
+            }
+        }
+        assert!(looked > 5000, "{looked}");
+    }
 }

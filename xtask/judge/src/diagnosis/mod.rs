@@ -19,8 +19,8 @@ use super::answer::Answer;
 use super::question::Wanted;
 use super::verdict::{Court, Verdict};
 use crate::console::count;
-use model::Textbook;
 use jointproof::toolkit::graph::Op;
+use model::Textbook;
 use sample::{Evidence, Sample};
 use search::{Explanation, Tried};
 use words::Words;
@@ -38,7 +38,12 @@ pub(super) struct Diagnosis {
 }
 
 /// The causes of what is wrong at these questions.
-pub(super) fn diagnose(court: &Court<'_>, answers: &[Vec<Answer>; 2], verdict: &Verdict, ordinary: &[usize]) -> Diagnosis {
+pub(super) fn diagnose(
+    court: &Court<'_>,
+    answers: &[Vec<Answer>; 2],
+    verdict: &Verdict,
+    ordinary: &[usize],
+) -> Diagnosis {
     if !verdict.two_answers.is_empty() {
         return Diagnosis { causes: vec![state::diagnose(court, answers, verdict)], explained: [0; 2] };
     }

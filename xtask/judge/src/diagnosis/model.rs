@@ -30,9 +30,7 @@ impl Textbook {
             let fits = |sample: &Sample| {
                 let all = book.run(&sample.inputs, &[], false).0;
                 let mut values = book.graph.value.iter().enumerate();
-                values.all(|(i, node)| {
-                    (all[node.index()] - sample.right[i]).abs() <= 1e-9 * sample.scale[i]
-                })
+                values.all(|(i, node)| (all[node.index()] - sample.right[i]).abs() <= 1e-9 * sample.scale[i])
             };
             (book.needed.len() <= LONGEST && samples.iter().take(8).all(fits)).then_some(book)
         };
@@ -41,7 +39,12 @@ impl Textbook {
 
     /// The results of all operations with changes of some, and the derivatives of each by its operands; these may be those of
     /// the right operations.
-    fn run(&self, inputs: &[f64], changes: &[(Node, Change)], are_derivatives_right: bool) -> (Vec<f64>, Vec<Vec<(Node, f64)>>) {
+    fn run(
+        &self,
+        inputs: &[f64],
+        changes: &[(Node, Change)],
+        are_derivatives_right: bool,
+    ) -> (Vec<f64>, Vec<Vec<(Node, f64)>>) {
         let mut slopes = vec![Vec::new(); self.graph.ops().len()];
         let is_value = |(_, change): &(Node, Change)| matches!(change, Change::Value(_));
         // What is taken from elsewhere has to be known, whether it is computed later or changed itself.
@@ -70,7 +73,8 @@ impl Textbook {
         if !changes.iter().any(is_later) {
             return self.needed.clone();
         }
-        let (mut order, mut is_open, mut is_done) = (Vec::new(), vec![false; self.graph.ops().len()], vec![false; self.graph.ops().len()]);
+        let (mut order, mut is_open, mut is_done) =
+            (Vec::new(), vec![false; self.graph.ops().len()], vec![false; self.graph.ops().len()]);
         // Operands come before what needs them; a change that needs itself is never done, and its result is no number.
         let mut stack: Vec<(Node, bool)> = self.graph.value.iter().map(|node| (*node, false)).collect();
         while let Some((node, is_last)) = stack.pop() {
@@ -85,10 +89,12 @@ impl Textbook {
             is_open[node.index()] = true;
             stack.push((node, true));
             let mut operands = self.graph.op(node).operands();
-            operands.extend(changes.iter().filter(|(place, _)| *place == node).filter_map(|(_, change)| match change {
-                Change::Instead(_, other) => Some(*other),
-                _ => None,
-            }));
+            operands.extend(changes.iter().filter(|(place, _)| *place == node).filter_map(
+                |(_, change)| match change {
+                    Change::Instead(_, other) => Some(*other),
+                    _ => None,
+                },
+            ));
             stack.extend(operands.into_iter().map(|node| (node, false)));
         }
         order
@@ -144,7 +150,13 @@ impl Textbook {
                     *slope *= match link.times {
                         Times::Number(factor) => factor,
                         Times::Result(node, power) => all[node.index()].powi(power),
-                        Times::Sign(x) => if all[x.index()] < 0.0 { -1.0 } else { 1.0 },
+                        Times::Sign(x) => {
+                            if all[x.index()] < 0.0 {
+                                -1.0
+                            } else {
+                                1.0
+                            }
+                        }
                         Times::Tanh(x, width) => (all[x.index()].abs() / width).tanh(),
                         Times::Squares(x, y) => all[x.index()].powi(2) + all[y.index()].powi(2),
                     };
@@ -244,12 +256,21 @@ pub(super) struct Model {
 impl Model {
     /// Without a mistake, in words that come first.
     pub(super) fn new(what: String) -> Self {
-        Self { what: vec![what], inputs: None, changes: Vec::new(), links: Vec::new(), scope: Scope::All, maps: Vec::new(), scaled: Vec::new() }
+        Self {
+            what: vec![what],
+            inputs: None,
+            changes: Vec::new(),
+            links: Vec::new(),
+            scope: Scope::All,
+            maps: Vec::new(),
+            scaled: Vec::new(),
+        }
     }
 
     /// Whether numbers are only moved, or change their signs.
     pub(super) fn is_of_numbers_alone(&self) -> bool {
-        let is_moved = |(_, terms): &(usize, Vec<(usize, f64)>)| matches!(terms.as_slice(), [(_, factor)] if factor.abs() == 1.0);
+        let is_moved =
+            |(_, terms): &(usize, Vec<(usize, f64)>)| matches!(terms.as_slice(), [(_, factor)] if factor.abs() == 1.0);
         !self.maps.is_empty() && self.maps.iter().flatten().all(is_moved)
     }
 
@@ -290,16 +311,18 @@ impl Model {
             let computed = match book {
                 Some(book) => {
                     let mut answer = book.answer(there, self, &self.changes, has_jacobian);
-                    if matches!(self.scope, Scope::Value | Scope::Jacobian) && !self.changes.is_empty() && has_jacobian {
+                    if matches!(self.scope, Scope::Value | Scope::Jacobian) && !self.changes.is_empty() && has_jacobian
+                    {
                         let right = book.answer(there, self, &[], has_jacobian);
                         let part = if self.scope == Scope::Value { m..right.len() } else { 0..m };
                         answer[part.clone()].copy_from_slice(&right[part]);
                     }
                     Some(answer)
                 }
-                None => formula.value_and_jacobian(there).ok().map(|(value, jacobian)| {
-                    [value, if has_jacobian { jacobian } else { Vec::new() }].concat()
-                }),
+                None => formula
+                    .value_and_jacobian(there)
+                    .ok()
+                    .map(|(value, jacobian)| [value, if has_jacobian { jacobian } else { Vec::new() }].concat()),
             };
             let Some(mut answer) = computed else { return vec![f64::NAN; sample.right.len()] };
             if let Some(inputs) = self.inputs.as_ref().filter(|inputs| inputs.by_given && has_jacobian) {

@@ -21,7 +21,7 @@ const LEAST: usize = 12;
 pub(super) fn cause(evidence: &Evidence<'_>, off: &[usize]) -> Option<String> {
     let mut deviations: Vec<f64> = Vec::new();
     let (mut given, mut rounded) = (0, 0);
-    for sample in evidence.samples.iter() {
+    for sample in &evidence.samples {
         for &place in off {
             let Some(found) = sample.found[place] else { continue };
             let right = sample.right[place];
@@ -54,7 +54,12 @@ pub(super) fn cause(evidence: &Evidence<'_>, off: &[usize]) -> Option<String> {
         });
     }
     let is_common = deviations.len() * 4 > given;
-    if off.iter().all(|&place| place >= m) && DIFFERENCES.contains(&at(50)) && at(90) < 1e-2 && is_common && spread(&deviations) {
+    if off.iter().all(|&place| place >= m)
+        && DIFFERENCES.contains(&at(50))
+        && at(90) < 1e-2
+        && is_common
+        && spread(&deviations)
+    {
         return Some("the derivatives are finite differences, or have as few digits".into());
     }
     (SINGLE.contains(&at(50)) && at(95) < 1e-3 && spread(&deviations))

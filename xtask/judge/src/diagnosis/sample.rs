@@ -52,7 +52,11 @@ impl Sample {
     /// The deviation of a number, relative to its scale; `None` if it is not given.
     pub(super) fn deviation(&self, place: usize) -> Option<f64> {
         let deviation = (self.found[place]? - self.right[place]).abs() / self.scale[place];
-        Some(if deviation.is_nan() { if self.found[place] == Some(self.right[place]) { 0.0 } else { f64::INFINITY } } else { deviation })
+        Some(if deviation.is_nan() {
+            if self.found[place] == Some(self.right[place]) { 0.0 } else { f64::INFINITY }
+        } else {
+            deviation
+        })
     }
 
     /// Whether a number differs from the right one by more than rounding.
@@ -107,8 +111,7 @@ impl<'a> Evidence<'a> {
         let gross = samples.iter().filter(|sample| largest(sample) > GROSS).count();
         for sample in &mut samples {
             // Large wrong numbers have large rounding errors, also in the small ones beside them.
-            sample.rounding =
-                if gross >= 3 { BESIDE_GROSS.max(1e-12 * largest(sample)) } else { ROUNDING };
+            sample.rounding = if gross >= 3 { BESIDE_GROSS.max(1e-12 * largest(sample)) } else { ROUNDING };
         }
         let names = names(court.formula.inputs(), court.formula.outputs(), court.wanted);
         let off = (0..names.len()).filter(|&place| samples.iter().any(|sample| sample.is_off(place))).collect();

@@ -12,7 +12,7 @@ const PARTIAL: usize = 24;
 /// Exchanges of numbers that are combined with every other mistake.
 const MOVES: usize = 10;
 /// Operations that are computed at most for pairs of mistakes, to limit the time.
-const OPERATIONS: usize = 60_000_000;
+const OPERATIONS: usize = 20_000_000;
 
 /// Mistakes, and how many of the samples they explain.
 pub(super) struct Explanation {

@@ -33,7 +33,8 @@ fn keys(book: &Textbook, inputs: &[Field], fields: &[usize], of: Family) -> BTre
     for &node in &book.needed {
         let key = match book.graph.op(node) {
             Op::Input(k) => {
-                let (field, component) = (inputs[fields[*k]], k - fields.iter().position(|f| *f == fields[*k]).unwrap_or(0));
+                let (field, component) =
+                    (inputs[fields[*k]], k - fields.iter().position(|f| *f == fields[*k]).unwrap_or(0));
                 let name = if of == Family::Components {
                     field.name.to_owned()
                 } else {
@@ -140,7 +141,10 @@ impl<'a> Words<'a> {
     /// Operands of an operation that may be mistaken for others, by their indices: of the same field, or alike.
     pub(super) fn others(&self, place: Node) -> Vec<(usize, Node)> {
         let op = self.book.graph.op(place);
-        if matches!(op, Op::Input(_) | Op::Number(_) | Op::Select(..) | Op::Compare(..) | Op::ExactSum(_) | Op::Search(..)) {
+        if matches!(
+            op,
+            Op::Input(_) | Op::Number(_) | Op::Select(..) | Op::Compare(..) | Op::ExactSum(_) | Op::Search(..)
+        ) {
             return Vec::new();
         }
         let mut others = Vec::new();
@@ -196,7 +200,13 @@ impl<'a> Words<'a> {
         if !is_sign(yes) || !is_sign(no) {
             return None;
         }
-        if zero(x) { Some(y) } else if zero(y) { Some(x) } else { None }
+        if zero(x) {
+            Some(y)
+        } else if zero(y) {
+            Some(x)
+        } else {
+            None
+        }
     }
 
     /// The side of a comparison in words: stick and slip, if friction decides.
@@ -215,7 +225,8 @@ impl<'a> Words<'a> {
     fn sticks(&self, comparison: Node) -> Option<bool> {
         let mu = self.inputs.iter().position(|field| field.name == "mu")?;
         let place = self.fields.iter().position(|field| *field == mu)?;
-        let depends = self.book.graph.needed(&[comparison]).iter().any(|node| *self.book.graph.op(*node) == Op::Input(place));
+        let depends =
+            self.book.graph.needed(&[comparison]).iter().any(|node| *self.book.graph.op(*node) == Op::Input(place));
         let with = |factor: f64| {
             let outcome = |sample: &Sample| {
                 let mut inputs = sample.inputs.clone();
@@ -233,10 +244,7 @@ impl<'a> Words<'a> {
         let op = self.book.graph.op(place);
         if let Op::Compare(..) = op {
             let [yes, no] = [true, false].map(|holds| self.side(place, holds));
-            let [from, into] = match template.contains("{+}") {
-                true => [yes, no],
-                false => [no, yes],
-            };
+            let [from, into] = if template.contains("{+}") { [yes, no] } else { [no, yes] };
             let what = match scope {
                 Scope::Jacobian => " tangent",
                 Scope::Value => " value",

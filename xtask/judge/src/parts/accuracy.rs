@@ -11,9 +11,16 @@ const FEW: f64 = 32.0;
 
 impl Court<'_> {
     /// The part about accuracy.
-    pub(super) fn accuracy(&self, verdict: &Verdict, all: &[Option<Deviations>], ordinary: &[usize], is_same: &[bool]) -> Part {
+    pub(super) fn accuracy(
+        &self,
+        verdict: &Verdict,
+        all: &[Option<Deviations>],
+        ordinary: &[usize],
+        is_same: &[bool],
+    ) -> Part {
         let title = "how accurate?";
-        let etas: Vec<&Etas> = verdict.etas.iter().filter(|etas| ordinary.binary_search(&etas.question).is_ok()).collect();
+        let etas: Vec<&Etas> =
+            verdict.etas.iter().filter(|etas| ordinary.binary_search(&etas.question).is_ok()).collect();
         let m = sizes(self.formula)[1];
         // Of the numbers that are those of the formula.
         let largest = |etas: &[Option<f64>], part: usize| {
@@ -26,9 +33,8 @@ impl Court<'_> {
         let within = etas.iter().filter(is_within).count() + verdict.same_questions;
         let asked = etas.len() + verdict.same_questions;
         let right = [within, asked];
-        let none = |says: &str| {
-            Part { title, standing: Standing::NotAsked, right, says: says.into(), ..Part::default() }
-        };
+        let none =
+            |says: &str| Part { title, standing: Standing::NotAsked, right, says: says.into(), ..Part::default() };
         if asked == 0 {
             return none("no answer");
         }
@@ -42,9 +48,10 @@ impl Court<'_> {
             found.sort_by(f64::total_cmp);
             let at = |share: usize| found[(found.len() - 1) * share / 100];
             let places = if part == 0 { 0..m } else { m..is_same.len() };
-            let deviations = ordinary.iter().filter_map(|&k| all[k].as_ref()).flat_map(|all| {
-                places.clone().filter(|&place| is_same[place]).filter_map(|place| all[place])
-            });
+            let deviations = ordinary
+                .iter()
+                .filter_map(|&k| all[k].as_ref())
+                .flat_map(|all| places.clone().filter(|&place| is_same[place]).filter_map(|place| all[place]));
             format!(
                 "{name}: {} digits of its norm at worst; η 50 % {}, 99 % {}, worst {} (ours {})",
                 digits(deviations.fold(0.0, f64::max)),
@@ -54,9 +61,9 @@ impl Court<'_> {
                 figure(own)
             )
         };
-        let described = [(0, "value", 0..m), (1, "Jacobian", m..is_same.len())].into_iter().filter_map(|(part, name, places)| {
-            is_same[places].contains(&true).then(|| describe(part, name))
-        });
+        let described = [(0, "value", 0..m), (1, "Jacobian", m..is_same.len())]
+            .into_iter()
+            .filter_map(|(part, name, places)| is_same[places].contains(&true).then(|| describe(part, name)));
         let mut described = described.collect::<Vec<_>>().into_iter();
         let says = described.next().unwrap_or_default();
         let size = |etas: &Etas| largest(&etas.found, 0).max(largest(&etas.found, 1));
@@ -64,7 +71,13 @@ impl Court<'_> {
         let limited = worst.filter(|worst| size(worst) > FEW.max(self.bounds.value).max(self.bounds.jacobian));
         let mut details: Vec<String> = described.collect();
         if let Some(worst) = limited {
-            let deviation = all[worst.question].iter().flatten().zip(is_same).filter(|(_, same)| **same).filter_map(|(x, _)| *x).fold(0.0, f64::max);
+            let deviation = all[worst.question]
+                .iter()
+                .flatten()
+                .zip(is_same)
+                .filter(|(_, same)| **same)
+                .filter_map(|(x, _)| *x)
+                .fold(0.0, f64::max);
             details.push(if deviation <= FEW * f64::EPSILON {
                 "digits are lost in components that are small beside others of their vector or matrix: a sum there cancels".to_owned()
             } else {

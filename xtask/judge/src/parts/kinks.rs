@@ -40,7 +40,8 @@ impl Court<'_> {
         let (mut wrong, mut other_side) = (Vec::new(), Vec::new());
         let mut nan: BTreeMap<&str, usize> = BTreeMap::new();
         let mut sides: BTreeMap<&str, usize> = BTreeMap::new();
-        let asked: Vec<_> = questions.iter().copied().filter(|&k| !matches!(answers[0][k], Answer::Skipped(_))).collect();
+        let asked: Vec<_> =
+            questions.iter().copied().filter(|&k| !matches!(answers[0][k], Answer::Skipped(_))).collect();
         for &k in &asked {
             let Kind::Kink(condition) = &self.questions[k].kind else { continue };
             let (Answer::Numbers(found), Some(deviations)) = (&answers[0][k], &all[k]) else {
@@ -78,7 +79,9 @@ impl Court<'_> {
         let says = match standing {
             Standing::NotAsked => "it has none".to_owned(),
             Standing::Right => format!("right at {}, by the convention of the formula", of_points(right, "point")),
-            Standing::Limited => format!("right at {}, by another convention at {}", of_points(right, "point"), other_side.len()),
+            Standing::Limited => {
+                format!("right at {}, by another convention at {}", of_points(right, "point"), other_side.len())
+            }
             Standing::Wrong => format!("right at {}", of_points(right, "point")),
         };
         let mut details = Vec::new();
@@ -110,14 +113,22 @@ impl Court<'_> {
             let step = |(x, across): (&f64, &f64)| x + sign * 1e-9 * across;
             let there: Vec<f64> = entry.at.iter().zip(&entry.across).map(step).collect();
             let numbers = self.numbers_at(&there)?;
-            let fits = |(found, there): (&Option<f64>, &f64)| found.is_none_or(|x| (x - there).abs() <= 1e-6 * (1.0 + there.abs()));
+            let fits = |(found, there): (&Option<f64>, &f64)| {
+                found.is_none_or(|x| (x - there).abs() <= 1e-6 * (1.0 + there.abs()))
+            };
             Some(found.iter().zip(&numbers).all(fits))
         };
-        let moved: Vec<String> = self.formula.inputs().iter().scan(0, |next, field| {
-            let places = *next..*next + field.len();
-            *next += field.len();
-            Some(entry.across[places].iter().any(|x| *x != 0.0).then(|| field.name.to_owned()))
-        }).flatten().collect();
+        let moved: Vec<String> = self
+            .formula
+            .inputs()
+            .iter()
+            .scan(0, |next, field| {
+                let places = *next..*next + field.len();
+                *next += field.len();
+                Some(entry.across[places].iter().any(|x| *x != 0.0).then(|| field.name.to_owned()))
+            })
+            .flatten()
+            .collect();
         let moved = moved.join(", ");
         match (of_side(1.0), of_side(-1.0)) {
             (Some(true), Some(false)) => format!("the derivatives of the side where {moved} is larger"),
@@ -160,7 +171,8 @@ impl Court<'_> {
             }
             // Several inputs at once, in turn with other signs.
             for pattern in 0..16_usize {
-                let sign = |j: usize| if (pattern * (2 * j + 1) + j * j + pattern * pattern / 3) % 5 < 2 { -1.0 } else { 1.0 };
+                let sign =
+                    |j: usize| if (pattern * (2 * j + 1) + j * j + pattern * pattern / 3) % 5 < 2 { -1.0 } else { 1.0 };
                 let there: Vec<f64> = (0..x.len()).map(|j| x[j] + sign(j) * near * size(j)).collect();
                 self.neighbour(k, &there).iter().for_each(|numbers| range.add(numbers));
             }

@@ -13,7 +13,13 @@ const SMALLEST: f64 = 323.3;
 
 impl Court<'_> {
     /// The part about sizes.
-    pub(super) fn limits(&self, answers: &[Vec<Answer>; 2], all: &[Option<Deviations>], questions: &[usize], is_same: &[bool]) -> Part {
+    pub(super) fn limits(
+        &self,
+        answers: &[Vec<Answer>; 2],
+        all: &[Option<Deviations>],
+        questions: &[usize],
+        is_same: &[bool],
+    ) -> Part {
         let title = "up to which sizes?";
         let is_asked = |k: &usize| !matches!(answers[0][*k], Answer::Skipped(_));
         let asked: Vec<_> = questions.iter().copied().filter(is_asked).collect();
@@ -57,7 +63,9 @@ impl Court<'_> {
         let says = match standing {
             Standing::NotAsked => "no extreme numbers were asked".to_owned(),
             Standing::Right => format!("all that doubles hold: right at {}", of_points(right, "point")),
-            _ if details.is_empty() => format!("right at {} with numbers of very different sizes", of_points(right, "point")),
+            _ if details.is_empty() => {
+                format!("right at {} with numbers of very different sizes", of_points(right, "point"))
+            }
             _ => details.remove(0),
         };
         let point = self.simplest(if others.is_empty() { &off } else { &others });

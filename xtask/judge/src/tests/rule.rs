@@ -9,7 +9,7 @@ use jointproof::toolkit::graph::{Binary, Extremes, Graph, Instead, Node, Op, Una
 use jointproof::toolkit::verify::Options;
 
 /// Formulas with more operations are left to others.
-const LONGEST: usize = 250;
+const LONGEST: usize = 60;
 /// The mistakes planted in a formula.
 const EACH: usize = 2;
 
@@ -40,7 +40,7 @@ fn answer(graph: &Graph, inputs: &[f64], wanted: Wanted) -> Vec<f64> {
 
 /// What is said of a planted mistake: whether it is taken for right, and its causes. `None` if it changes nothing.
 fn said(formula: &'static dyn AnyFormula, altered: &Graph, wanted: Wanted) -> Option<(bool, Vec<String>)> {
-    let questions = questions(formula, wanted, &Options { samples: 60, ..Options::default() });
+    let questions = questions(formula, wanted, &Options { samples: 40, ..Options::default() });
     let court = Court { formula, wanted, bounds: Bounds::of(formula), questions: &questions, is_strict: false };
     let mut is_changed = false;
     let answers: Vec<_> = questions

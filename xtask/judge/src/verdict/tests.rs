@@ -13,7 +13,13 @@ fn with_court<T>(id: &str, points: &[(&str, &[f64])], look: impl FnOnce(&Court<'
     let formula = find(id).unwrap();
     let points = points.iter().map(|(name, inputs)| ((*name).to_owned(), inputs.to_vec())).collect();
     let questions = of_points(formula, Wanted::Jacobian, points, 1);
-    look(&Court { formula, wanted: Wanted::Jacobian, bounds: Bounds::of(formula), questions: &questions, is_strict: true })
+    look(&Court {
+        formula,
+        wanted: Wanted::Jacobian,
+        bounds: Bounds::of(formula),
+        questions: &questions,
+        is_strict: true,
+    })
 }
 
 fn numbers(numbers: &[f64]) -> Answer {

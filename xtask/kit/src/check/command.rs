@@ -156,7 +156,13 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
         [value, jacobian, ..] => Bounds { value, jacobian },
         [] => Bounds::of(formula),
     };
-    let court = Court { formula, wanted: arguments.wanted(formula), bounds, questions: &questions, is_strict: arguments.strict || !arguments.eta.is_empty() };
+    let court = Court {
+        formula,
+        wanted: arguments.wanted(formula),
+        bounds,
+        questions: &questions,
+        is_strict: arguments.strict || !arguments.eta.is_empty(),
+    };
     let manner = Manner {
         program: &arguments.program,
         wanted: arguments.wanted(formula),
