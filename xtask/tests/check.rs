@@ -145,7 +145,7 @@ fn a_mistake_that_explains_some_points_alone_is_not_named() {
     let two = r#"{ y = $1 < 8 ? $1 + $2 * $3 : $1 * 1.001 - $2 * $3; printf "%.17g 1 %.17g %.17g\n", y, -$3, -$2; fflush() }"#;
     awk(&[], two).exits(1).prints("diagnosis: unexplained");
     let one = two.replace("$1 < 8", "1");
-    awk(&[], &one).exits(1).prints("diagnosis: the sign of ");
+    awk(&[], &one).exits(1).prints("diagnosis: value: the sign of ");
 }
 
 #[test]

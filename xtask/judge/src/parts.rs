@@ -161,10 +161,21 @@ impl Court<'_> {
         let is_special = |k: usize| self.questions[k].kind == Kind::Special;
         // A point chosen for its difficulty may cost digits, but not all of them.
         let limit = |k: usize| if is_special(k) { 1e-2 } else { OTHER };
+        // A rounding of the inputs decides on which side of a kink some special points are.
+        let is_on_a_side = |k: usize| match (&answers[0][k], &all[k]) {
+            (Answer::Numbers(found), Some(deviations)) if is_special(k) => {
+                let is_off = |place: &usize| deviations[*place].is_some_and(|deviation| deviation > OTHER);
+                self.outside(k, found, &(0..found.len()).filter(is_off).collect::<Vec<_>>()).is_empty()
+            }
+            _ => false,
+        };
         let mut off: Vec<usize> = ordinary
             .iter()
             .copied()
-            .filter(|&k| !matches!(answers[0][k], Answer::Skipped(_)) && (!is_answered(&k) || worst(k) > limit(k)))
+            .filter(|&k| {
+                !matches!(answers[0][k], Answer::Skipped(_))
+                    && (!is_answered(&k) || worst(k) > limit(k) && !is_on_a_side(k))
+            })
             .collect();
         if off.is_empty() {
             let numbers = self.wanted.numbers(sizes(self.formula));

@@ -55,7 +55,7 @@ fn factor(evidence: &Evidence<'_>, place: usize) -> Option<f64> {
     // A number that never changes is consistent with any factor.
     let is_constant = seen.iter().all(|sample| sample.right[place] == seen[0].right[place]);
     let fits = |sample: &super::sample::Sample| sample.fits(place, sample.right[place] * factor);
-    (factor.is_finite() && !(named.is_none() && is_constant) && evidence.samples.iter().all(fits)).then_some(factor)
+    (factor.is_finite() && !(named.is_none() && is_constant) && evidence.nearly_all(fits)).then_some(factor)
 }
 
 pub(super) fn word(factor: f64) -> Option<String> {

@@ -67,7 +67,7 @@ fn entries(evidence: &Evidence<'_>) -> Vec<Model> {
             from != place
                 && samples.len() >= 3
                 && samples.iter().any(|sample| sample.right[from] != 0.0)
-                && evidence.samples.iter().all(|sample| sample.fits(place, sample.right[from] * sign))
+                && evidence.nearly_all(|sample| sample.fits(place, sample.right[from] * sign))
         };
         if let Some((from, sign)) = part.flat_map(|from| [(from, 1.0), (from, -1.0)]).find(fits) {
             let names = &evidence.names;
@@ -222,6 +222,9 @@ fn of_operations(evidence: &Evidence<'_>, book: &Textbook) -> Vec<Model> {
             for (change, template) in changes(op) {
                 all.push(one(place, change, &template));
             }
+            if scope == Scope::Jacobian && matches!(op, Op::Compare(..)) {
+                all.extend(branches_by_input(evidence, &words, place));
+            }
             for (k, other) in words.others(place) {
                 let own = op.operands()[k];
                 let template = match book.graph.op(own) {
@@ -273,6 +276,22 @@ fn of_operations(evidence: &Evidence<'_>, book: &Textbook) -> Vec<Model> {
     }
     if is_off(&rest) {
         all.extend(links(book, &words, &groups));
+    }
+    all
+}
+
+/// Derivatives of one branch for all, by a single input.
+fn branches_by_input(evidence: &Evidence<'_>, words: &Words<'_>, place: Node) -> Vec<Model> {
+    let inputs = crate::scale::placed(evidence.court.formula.inputs());
+    let (m, n) = (evidence.parts()[0].len(), inputs.iter().map(|(field, _)| field.len()).sum::<usize>());
+    let mut all = Vec::new();
+    for (change, template) in changes(&Op::Compare(jointproof::toolkit::graph::Relation::Less, place, place)) {
+        for (field, columns) in &inputs {
+            let only = (0..m).flat_map(|i| columns.clone().map(move |j| m + i * n + j)).collect();
+            let what = words.fill(&template, place, Scope::Jacobian, false);
+            let what = format!("{what}, in the derivatives by {}", field.name);
+            all.push(Model { changes: vec![(place, change)], scope: Scope::Jacobian, only, ..Model::new(what) });
+        }
     }
     all
 }

@@ -52,7 +52,9 @@ pub(super) fn diagnose(
     if points < LEAST {
         return Diagnosis::default();
     }
-    let book = Textbook::of(court.formula, &evidence.samples);
+    // Products are judged by their numbers alone.
+    let has_book = court.wanted != Wanted::Products;
+    let book = has_book.then(|| Textbook::of(court.formula, &evidence.samples)).flatten();
     let tried = Tried::new(&evidence, book.as_ref());
     let all = evidence.samples.len();
     let described = |found: Explanation| Diagnosis { causes: found.what, explained: [found.explained, all] };

@@ -248,6 +248,8 @@ pub(super) struct Model {
     pub(super) changes: Vec<(Node, Change)>,
     pub(super) links: Vec<Link>,
     pub(super) scope: Scope,
+    /// The numbers that are affected; all, if none are named.
+    pub(super) only: Vec<usize>,
     pub(super) maps: Vec<Map>,
     /// Numbers that are multiplied by a power of a result.
     pub(super) scaled: Vec<(Vec<usize>, Node, i32)>,
@@ -262,6 +264,7 @@ impl Model {
             changes: Vec::new(),
             links: Vec::new(),
             scope: Scope::All,
+            only: Vec::new(),
             maps: Vec::new(),
             scaled: Vec::new(),
         }
@@ -281,7 +284,9 @@ impl Model {
             (one, two) => one.clone().or_else(|| two.clone()),
         };
         let is_graph = |model: &Self| !model.changes.is_empty();
-        if is_graph(self) && is_graph(other) && self.scope != other.scope
+        if is_graph(self)
+            && is_graph(other)
+            && (self.scope != other.scope || self.only.is_empty() != other.only.is_empty())
             || other.changes.iter().any(|(node, _)| self.changes.iter().any(|(place, _)| place == node))
             || self.what == other.what
         {
@@ -293,6 +298,7 @@ impl Model {
             changes: [self.changes.clone(), other.changes.clone()].concat(),
             links: [self.links.clone(), other.links.clone()].concat(),
             scope: if is_graph(other) { other.scope } else { self.scope },
+            only: [self.only.clone(), other.only.clone()].concat(),
             maps: [self.maps.clone(), other.maps.clone()].concat(),
             scaled: [self.scaled.clone(), other.scaled.clone()].concat(),
         })
@@ -316,6 +322,10 @@ impl Model {
                         let right = book.answer(there, self, &[], has_jacobian);
                         let part = if self.scope == Scope::Value { m..right.len() } else { 0..m };
                         answer[part.clone()].copy_from_slice(&right[part]);
+                        if !self.only.is_empty() {
+                            let others = (0..right.len()).filter(|place| !self.only.contains(place));
+                            others.for_each(|place| answer[place] = right[place]);
+                        }
                     }
                     Some(answer)
                 }
@@ -342,10 +352,15 @@ impl Model {
                 places.iter().for_each(|place| answer[*place] *= results[node.index()].powi(*power));
             }
         }
+        // Maps of different numbers do not follow each other.
+        let right = answer.clone();
+        let mut changed = vec![false; answer.len()];
         for map in &self.maps {
-            let before = answer.clone();
+            let is_apart = map.iter().all(|(place, _)| !changed[*place]);
+            let before = if is_apart { right.clone() } else { answer.clone() };
             for (place, terms) in map {
                 answer[*place] = terms.iter().map(|&(from, factor)| before[from] * factor).sum();
+                changed[*place] = true;
             }
         }
         answer

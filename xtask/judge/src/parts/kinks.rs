@@ -147,7 +147,7 @@ impl Court<'_> {
     }
 
     /// Those of these numbers that no neighbour has, and that lie between those of no two.
-    fn outside(&self, k: usize, found: &[Option<f64>], off: &[usize]) -> Vec<usize> {
+    pub(super) fn outside(&self, k: usize, found: &[Option<f64>], off: &[usize]) -> Vec<usize> {
         let question = &self.questions[k];
         let x = &question.inputs;
         let Some(right) = question.right(self.formula, self.wanted) else { return off.to_vec() };
