@@ -103,15 +103,18 @@ impl Court<'_> {
             valid.filter(|&k| is(&self.questions[k].kind)).collect()
         };
         let ordinary = of(&|kind| matches!(kind, Kind::Ordinary | Kind::Special));
+        // Where a rounding decides on which side of a kink a point is, its answer tells nothing about the rest.
+        let is_told = |k: &usize| self.questions[*k].kind != Kind::Special || self.other_sides(*k).next().is_none();
+        let told: Vec<usize> = ordinary.iter().copied().filter(is_told).collect();
         let numbers = self.wanted.numbers(sizes(self.formula));
         let counts: Vec<[usize; 2]> = (0..numbers)
             .map(|place| {
-                let given = ordinary.iter().filter_map(|&k| all[k].as_ref()?[place]);
+                let given = told.iter().filter_map(|&k| all[k].as_ref()?[place]);
                 let off = given.clone().filter(|deviation| *deviation > OTHER).count();
                 [off, given.count()]
             })
             .collect();
-        let (same, diagnosis) = self.same(answers, verdict, &all, &ordinary);
+        let (same, diagnosis) = self.same(answers, verdict, &all, [&ordinary, &told]);
         let on_kinks = of(&|kind| matches!(kind, Kind::Kink(_)));
         // Numbers that are others anyway tell nothing about limits.
         let is_same: Vec<bool> = (0..numbers).map(|place| counts[place][0] == 0).collect();
@@ -152,7 +155,7 @@ impl Court<'_> {
         answers: &[Vec<Answer>; 2],
         verdict: &Verdict,
         all: &[Option<Deviations>],
-        ordinary: &[usize],
+        [ordinary, told]: [&[usize]; 2],
     ) -> (Part, Diagnosis) {
         let title = "the same function?";
         let worst =
@@ -188,10 +191,10 @@ impl Court<'_> {
                 off = ordinary.iter().copied().filter(|&k| worst(k) > SUSPECT).collect();
             }
         }
-        let suspects = ordinary.iter().filter(|&&k| worst(k) > SUSPECT).count();
+        let suspects = told.iter().filter(|&&k| worst(k) > SUSPECT).count();
         let mut diagnosis = Diagnosis::default();
         if !off.is_empty() || suspects > 0 || !verdict.two_answers.is_empty() {
-            diagnosis = diagnosis::diagnose(self, answers, verdict, ordinary);
+            diagnosis = diagnosis::diagnose(self, answers, verdict, told);
             if off.is_empty() && !diagnosis.causes.is_empty() && verdict.two_answers.is_empty() {
                 // It is more than rounding if a mistake gives the same digits.
                 off = ordinary.iter().copied().filter(|&k| worst(k) > SUSPECT).collect();

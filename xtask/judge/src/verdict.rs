@@ -305,7 +305,7 @@ impl Court<'_> {
     }
 
     /// Inputs that differ from a named question by a rounding error of one input, and at which value or derivative has jumped.
-    fn other_sides(&self, k: usize) -> impl Iterator<Item = Vec<f64>> {
+    pub(super) fn other_sides(&self, k: usize) -> impl Iterator<Item = Vec<f64>> {
         let question = &self.questions[k];
         let results = |inputs: &[f64]| {
             let (value, jacobian) = self.formula.value_and_jacobian(inputs).ok()?;
