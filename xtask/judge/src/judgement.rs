@@ -1,7 +1,7 @@
 //! The judgement of answers, in words.
 
 use super::answer::{Answer, Heard};
-use super::parts::{Part, Parts};
+use super::parts::{Part, Parts, is_well};
 use super::verdict::{Court, Verdict};
 use super::{report, taylor};
 use serde_json::{Value, json};
@@ -29,11 +29,6 @@ impl Judgement {
     pub fn parts(&self) -> &[Part] {
         &self.verdict.parts
     }
-}
-
-pub(super) fn is_well(found: &Verdict, verdict: &Parts, is_strict: bool) -> bool {
-    let is_right = verdict.are_right() && found.bad.is_empty();
-    if is_strict { is_right && found.is_strictly_right() } else { is_right }
 }
 
 impl Court<'_> {

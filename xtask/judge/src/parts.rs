@@ -277,6 +277,12 @@ impl Parts {
     }
 }
 
+/// Whether it is the formula, judged strictly or not.
+pub(super) fn is_well(found: &Verdict, verdict: &Parts, is_strict: bool) -> bool {
+    let is_right = verdict.are_right() && found.bad.is_empty();
+    if is_strict { is_right && found.is_strictly_right() } else { is_right }
+}
+
 /// `all 12 ordinary points`, `3 of 12 ordinary points`.
 pub(super) fn of_points([right, all]: [usize; 2], noun: &str) -> String {
     match (right, all) {

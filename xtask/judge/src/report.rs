@@ -1,9 +1,8 @@
 //! The report of a check.
 
 use super::answer::Heard;
-use super::judgement::is_well;
 use super::map::{map, names};
-use super::parts::{Parts, Standing};
+use super::parts::{Parts, Standing, is_well};
 use super::verdict::{Court, Grade, Verdict, Worst};
 use crate::console::{bold, count, figure, green, red, yellow};
 use jointproof::toolkit::verify::golden::named;

@@ -1,6 +1,6 @@
 //! Mistakes in a single operation: what it gives instead, with its derivatives by its operands.
 
-use super::precision::single;
+use super::sample::single;
 use jointproof::toolkit::graph::{Binary, Node, Op, Relation, Unary};
 
 /// What an operation gives instead of its result.

@@ -237,7 +237,7 @@ fn of_operations(evidence: &Evidence<'_>, book: &Textbook) -> Vec<Model> {
             }
             if let Some(x) = words.sign_of(place) {
                 for width in super::change::SMALL.into_iter().chain([0.1, 1.0]) {
-                    let template = format!("tanh({} / {width:e}) for the sign of {0}", words.name(x),);
+                    let template = format!("tanh({} / {width:e}) for the sign of {0}", words.name(x));
                     all.push(one(place, Change::Smooth(x, width), &template));
                 }
             }

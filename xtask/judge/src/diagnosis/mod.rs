@@ -21,12 +21,9 @@ use super::verdict::{Court, Verdict};
 use crate::console::count;
 use jointproof::toolkit::graph::Op;
 use model::Textbook;
-use sample::{Evidence, Sample};
+use sample::{Evidence, LEAST, Sample};
 use search::{Explanation, Tried};
 use words::Words;
-
-/// Fewer points tell too little.
-const LEAST: usize = 3;
 
 /// What is known of the cause.
 #[derive(Clone, Debug, Default, PartialEq)]

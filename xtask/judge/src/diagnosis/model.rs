@@ -231,7 +231,7 @@ pub(super) struct Inputs {
 
 impl Inputs {
     fn of(&self, inputs: &[f64]) -> Vec<f64> {
-        let rounded = |x: f64| if self.is_single { f64::from(super::precision::single(x)) } else { x };
+        let rounded = |x: f64| if self.is_single { f64::from(super::sample::single(x)) } else { x };
         self.from.iter().map(|&(place, factor)| rounded(inputs[place] * factor)).collect()
     }
 }

@@ -1,12 +1,6 @@
 //! Patterns in the digits of the wrong numbers: single precision, and differences in place of derivatives.
 
-use super::sample::Evidence;
-
-/// Rounded to single precision.
-#[expect(clippy::cast_possible_truncation, reason = "the mistake that is looked for")]
-pub(super) fn single(x: f64) -> f32 {
-    x as f32
-}
+use super::sample::{Evidence, single};
 
 /// Deviations of arithmetic in single precision, relative to the right numbers: their median.
 const SINGLE: std::ops::RangeInclusive<f64> = 3e-10..=3e-6;

@@ -20,6 +20,15 @@ const POINTS: usize = 160;
 /// The numbers that are kept at most.
 const NUMBERS: usize = 60_000;
 
+/// Fewer points tell too little.
+pub(super) const LEAST: usize = 3;
+
+/// Rounded to single precision.
+#[expect(clippy::cast_possible_truncation, reason = "the mistake that is looked for")]
+pub(super) fn single(x: f64) -> f32 {
+    x as f32
+}
+
 /// A point, with the right and the computed numbers.
 #[derive(Clone)]
 pub(super) struct Sample {
@@ -81,7 +90,7 @@ impl Sample {
     /// Whether it is the right number, rounded to single precision.
     pub(super) fn is_rounding_of_right(&self, place: usize) -> bool {
         let Some(found) = self.found[place] else { return true };
-        let (single, right) = (super::precision::single(found), super::precision::single(self.right[place]));
+        let (single, right) = (single(found), single(self.right[place]));
         single == right || (f64::from(single) - self.right[place]).abs() <= 1.3e-7 * self.right[place].abs()
     }
 }
