@@ -60,6 +60,7 @@ pub struct Part {
 
 /// All parts, and what follows from them.
 #[derive(Clone, Debug)]
+#[expect(clippy::struct_field_names, reason = "parts are what they are called")]
 pub(super) struct Parts {
     pub(super) parts: Vec<Part>,
     pub(super) diagnosis: Diagnosis,

@@ -138,6 +138,7 @@ pub(super) const SMALL: [f64; 15] =
     [1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-12, 1e-14, 1e-15, 1e-16, f64::EPSILON, 1e-20];
 
 /// All changes that are tried of an operation.
+#[expect(clippy::too_many_lines, reason = "a table")]
 pub(super) fn changes(op: &Op) -> Vec<Worded> {
     let of = |change: Change, what: &str| (change, what.to_owned());
     let factors = |what: &str| {

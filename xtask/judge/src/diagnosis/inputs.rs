@@ -5,7 +5,10 @@ use jointproof::formula::quantity::{Domain, Unit};
 use std::f64::consts::PI;
 
 /// All mistakes in the inputs that are searched for.
-pub(super) fn others(inputs: &[Field]) -> Vec<(String, Vec<(usize, f64)>, bool)> {
+/// Words, where every component comes from with its factor, and whether it is rounded to single precision.
+pub(super) type Other = (String, Vec<(usize, f64)>, bool);
+
+pub(super) fn others(inputs: &[Field]) -> Vec<Other> {
     let count = inputs.iter().map(Field::len).sum();
     let same: Vec<_> = (0..count).map(|k| (k, 1.0)).collect();
     let mut starts = Vec::new();

@@ -169,10 +169,11 @@ impl Diagnosis {
         if let Some(last) = lines.last_mut().filter(|_| explained > 0) {
             let rest = all - explained;
             let points = count(all, "point");
-            last.push_str(&match rest {
+            let what = match rest {
                 0 => format!(": this explains all {points} looked at"),
                 rest => format!(": this explains {explained} of {points} looked at, {rest} remain"),
-            });
+            };
+            *last += &what;
         }
         lines
     }

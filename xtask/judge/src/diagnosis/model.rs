@@ -349,7 +349,9 @@ impl Model {
         if let Some(book) = book.filter(|_| !self.scaled.is_empty()) {
             let results = book.results(&sample.inputs);
             for (places, node, power) in &self.scaled {
-                places.iter().for_each(|place| answer[*place] *= results[node.index()].powi(*power));
+                for place in places {
+                    answer[*place] *= results[node.index()].powi(*power);
+                }
             }
         }
         // Maps of different numbers do not follow each other.

@@ -38,7 +38,7 @@ impl<'a> Tried<'a> {
     /// One mistake that explains nearly every sample.
     pub(super) fn one(&self) -> Option<Explanation> {
         let Self { trial, all, scores } = self;
-        let whole = trial.screen.iter().map(|sample| trial.off_in(sample)).sum::<usize>();
+        let whole = trial.screen.iter().map(|sample| Trial::off_in(sample)).sum::<usize>();
         let single = (0..all.len()).filter(|&k| scores[k] == Some(whole)).find_map(|k| trial.verified(&all[k]));
         single.or_else(|| {
             let fitted = fitted(trial.evidence, trial.book?);
@@ -91,7 +91,7 @@ impl Trial<'_> {
         model.predicted(self.book, self.evidence.court.formula, sample)
     }
 
-    fn off_in(&self, sample: &Sample) -> usize {
+    fn off_in(sample: &Sample) -> usize {
         (0..sample.right.len()).filter(|&place| sample.is_off(place)).count()
     }
 
@@ -143,7 +143,7 @@ impl Trial<'_> {
     fn verified(&self, model: &Model) -> Option<Explanation> {
         let samples = &self.evidence.samples;
         let explained = samples.iter().filter(|sample| self.fits(model, sample)).count();
-        let off = samples.iter().filter(|sample| self.off_in(sample) > 0);
+        let off = samples.iter().filter(|sample| Self::off_in(sample) > 0);
         let of_off = off.clone().filter(|sample| self.fits(model, sample)).count();
         let is_enough = explained * 20 >= samples.len() * 19 && of_off * 20 >= off.count() * 19;
         is_enough.then(|| Explanation { what: model.what.clone(), explained })

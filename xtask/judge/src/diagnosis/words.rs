@@ -155,7 +155,7 @@ impl<'a> Words<'a> {
                     let [mine, others] = [self.inputs[own], self.inputs[other]];
                     own == other || mine.quantity.unit == others.quantity.unit && mine.len() == others.len()
                 }
-                (Op::Number(_), _) | (_, Op::Number(_)) | (Op::Input(_), _) | (_, Op::Input(_)) => false,
+                (Op::Number(_) | Op::Input(_), _) | (_, Op::Number(_) | Op::Input(_)) => false,
                 _ => self.keys[2][&operand] == self.keys[2][other],
             };
             let alike = self.book.needed.iter().filter(|other| **other != operand && is_alike(other));
@@ -251,11 +251,11 @@ impl<'a> Words<'a> {
                 Scope::All | Scope::Used => "",
             };
             return if template.contains("{?}") {
-                format!("the branches {from} and {into} are exchanged{}", what)
+                format!("the branches {from} and {into} are exchanged{what}")
             } else if from == "stick" || into == "stick" {
                 format!("{from}{what} in {into}")
             } else {
-                format!("one branch for all{}: {from}, also where {into}", what)
+                format!("one branch for all{what}: {from}, also where {into}")
             };
         }
         let mut text = template.replace("{}", &self.name(place));

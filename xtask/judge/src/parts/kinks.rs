@@ -60,12 +60,16 @@ impl Court<'_> {
             if outside.is_empty() {
                 other_side.push(k);
                 *sides.entry(condition).or_default() += 1;
-                off.iter().for_each(|&place| grades[place] = grades[place].max(Grade::Inaccurate));
+                for &place in &off {
+                    grades[place] = grades[place].max(Grade::Inaccurate);
+                }
             } else {
                 if outside.iter().any(|&place| is_nan(place)) {
                     *nan.entry(condition).or_default() += 1;
                 }
-                outside.iter().for_each(|&place| grades[place] = Grade::Wrong);
+                for &place in &outside {
+                    grades[place] = Grade::Wrong;
+                }
                 wrong.push(k);
             }
         }

@@ -7,7 +7,10 @@ use crate::diagnosis;
 use crate::question::Kind;
 use crate::verdict::Court;
 
-/// Half of the exponents that doubles have, in decades: a square leaves them from here on.
+/// A rung: its exponent, whether it is off, and its question.
+type Step = (i32, bool, usize);
+
+/// The decades of doubles above 1, and below.
 const LARGEST: f64 = 308.25;
 const SMALLEST: f64 = 323.3;
 
@@ -32,7 +35,7 @@ impl Court<'_> {
         };
         let off: Vec<_> = asked.iter().copied().filter(is_off).collect();
         let right = [asked.len() - off.len(), asked.len()];
-        let mut ladders: Vec<(&[&str], Vec<(i32, bool, usize)>)> = Vec::new();
+        let mut ladders: Vec<(&[&str], Vec<Step>)> = Vec::new();
         for &k in &asked {
             let Kind::Rung(rung) = &self.questions[k].kind else { continue };
             let step = (rung.exponent, is_off(&k), k);
