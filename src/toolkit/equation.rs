@@ -198,6 +198,11 @@ impl Equation {
         Ok(Self { graph, needed, equal, smallest })
     }
 
+    /// The operations that are printed, from the inputs to the outputs; `None` if an output is a minimiser, which has to be searched for.
+    pub fn graph(&self) -> Option<&Graph> {
+        self.smallest.is_none().then_some(&self.graph)
+    }
+
     /// The outputs. An output that is a minimiser is not searched for but taken from the known outputs.
     pub fn values<T: graph::Number>(&self, inputs: &[T], known: &[T]) -> Vec<T> {
         let all = self.graph.results(&self.point(inputs, known), self.needed.iter().copied());

@@ -1,8 +1,8 @@
 //! Generated content of this project's book besides entries: figures of the connectors, output of scenes, the worked
-//! example of an audit, and the statements of the documents.
+//! examples of an audit and of a check, and the statements of the documents.
 
 use crate::studies::agreement;
-use crate::{figures, museum, scene, statements, worked_example};
+use crate::{figures, museum, scene, statements, worked_check, worked_example};
 use jointproof::toolkit::verify::Audit;
 use judge::audited;
 use kit::{Extras, Project};
@@ -13,7 +13,7 @@ pub(crate) fn all(project: &Project) -> anyhow::Result<Extras> {
     Ok(Extras {
         figures: [figures::all(), scene::figures(project)?].concat(),
         moving: figures::moving(),
-        outputs: [vec![audit], figures::outputs(), scene::outputs(project)?].concat(),
+        outputs: [vec![audit], worked_check::outputs()?, figures::outputs(), scene::outputs(project)?].concat(),
         tables: [scene::tables(), scene::plans(project)?, agreement::tables(project)?].concat(),
         texts: [statements::book::texts(project)?, vec![("museum".to_owned(), museum::chapter()?)]].concat(),
         facts: statements::book::facts(project)?,

@@ -8,6 +8,7 @@ mod scene;
 mod statements;
 mod studies;
 mod tidy;
+mod worked_check;
 mod worked_example;
 
 use jointproof::catalog::{CATALOG, ELEMENTS};

@@ -16,6 +16,7 @@ mod golden_readers;
 mod installed;
 mod new;
 mod port;
+mod ports;
 mod prose;
 mod scene;
 mod schema;

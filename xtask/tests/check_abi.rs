@@ -204,9 +204,9 @@ fn a_friction_routine_is_checked_as_it_is() {
     let id = "coulomb.return_map";
     checked(&FRIC, id, AS_IT_IS, 0);
     let said = checked(&FRIC, id, ["DDTDDG(1,1) = 0.D0", "DDTDDG(1,1) = PROPS(2)"], 1);
-    assert!(said.contains("diagnosis: one branch for all: as if it always held"), "{said}");
+    assert!(said.contains("diagnosis: stick"), "{said}");
     let said = checked(&FRIC, id, ["DDTDDP(1) = SIGN(PROPS(1), TRIAL)", "DDTDDP(1) = PROPS(1)"], 1);
-    assert!(said.contains("∂f/∂fn wrong"), "{said}");
+    assert!(said.contains("∂f/∂fn is "), "{said}");
 }
 
 #[test]

@@ -68,7 +68,7 @@ fn mark(marked: &mut [bool], nodes: &[Node]) {
 
 impl Op {
     /// Its derivatives with respect to its operands, given its result.
-    pub(crate) fn derivatives<T: Leaf>(&self, result: T, all: &[T]) -> Vec<T> {
+    pub fn derivatives<T: Leaf>(&self, result: T, all: &[T]) -> Vec<T> {
         let at = |node: &Node| all[node.index()];
         let (zero, one, minus_one) = (T::zero(), T::one(), T::from(-1.0));
         match self {

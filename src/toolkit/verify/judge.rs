@@ -87,6 +87,12 @@ impl Judge {
         cases.chain(beside_kinks(&self.subject)).chain(random).collect()
     }
 
+    /// The condition of the kink that these components are on, in LaTeX.
+    pub fn kink(&self, components: &[f64]) -> Option<String> {
+        let inputs = exact(components);
+        self.subject.kinks.iter().find(|kink| (kink.holds)(&inputs)).map(|kink| kink.condition.clone())
+    }
+
     /// The exact results at these components, optionally with the Jacobian by automatic differentiation.
     ///
     /// # Errors

@@ -35,6 +35,7 @@ def test_a_right_function_passes():
     assert checked and checked.is_well, checked
     assert grades(checked) == {"fc": "right", "∂fc/∂f2": "right", "∂fc/∂f3": "right"}
     assert checked.causes == []
+    assert [part.conclusion for part in checked.parts] == ["right"] * 5, checked
 
 
 def test_a_wrong_derivative_is_named():
@@ -54,6 +55,13 @@ def test_an_inaccurate_value_is_inaccurate():
         return math.hypot(f2, f3) * (1 + 1e-9)
 
     assert grades(jointproof.check("slot.contact_force", refusing(nearly)))["fc"] == "inaccurate"
+
+
+def test_a_limit_is_listed_and_only_strictly_wrong():
+    squared = refusing(lambda f2, f3: np.sqrt(np.float64(f2) ** 2 + np.float64(f3) ** 2))
+    checked = jointproof.check("slot.contact_force", squared)
+    assert checked and checked.parts[2].conclusion == "limited" and "overflows" in checked.parts[2].says, checked
+    assert not jointproof.check("slot.contact_force", squared, strict=True)
 
 
 def test_numpy_is_asked_for_all_points_at_once():

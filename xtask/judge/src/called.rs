@@ -2,6 +2,7 @@
 
 use super::answer::{Answer, Heard};
 use super::map::names;
+use super::parts::Part;
 use super::question::{Question, Wanted, other_order, sizes};
 use super::taylor::questions;
 use super::verdict::{Bounds, Court, Grade};
@@ -25,6 +26,8 @@ pub struct Judged {
     pub text: String,
     /// The causes, one line each.
     pub causes: Vec<String>,
+    /// The parts of the verdict, in order, with the simplest point of each that is not right.
+    pub parts: Vec<(Part, Option<serde_json::Value>)>,
     /// Every number of an answer: outputs, then the Jacobian row by row.
     pub numbers: Vec<Number>,
 }
@@ -35,7 +38,7 @@ pub struct Number {
     pub name: String,
     /// Its grade.
     pub grade: Grade,
-    /// How often it was given, and how often it exceeded its bound.
+    /// How often it was given at ordinary points, and how often it was another number there.
     pub counts: [usize; 2],
     /// The bound of η.
     pub bound: f64,
@@ -76,7 +79,7 @@ impl Called {
 
     /// Judges both sets of answers, in the order of the points. `None` if an answer is missing or has the wrong count
     /// of numbers.
-    pub fn judge(&self, name: &str, answers: &[Vec<Answer>; 2]) -> Option<Judged> {
+    pub fn judge(&self, name: &str, answers: &[Vec<Answer>; 2], is_strict: bool) -> Option<Judged> {
         let is_whole = |answer: &Answer| match answer {
             Answer::Numbers(numbers) => numbers.len() == self.numbers(),
             _ => true,
@@ -86,21 +89,22 @@ impl Called {
             return None;
         }
         let bounds = Bounds::of(self.formula);
-        let court = Court { formula: self.formula, wanted: self.wanted, bounds, questions: &self.questions };
+        let court = Court { formula: self.formula, wanted: self.wanted, bounds, questions: &self.questions, is_strict };
         let judgement = court.judged(&[name.to_owned()], answers, &Heard::default());
         let names = names(self.formula.inputs(), self.formula.outputs(), self.wanted);
         let tallies = judgement.found.tallies.iter().enumerate().zip(names);
         let numbers = tallies.map(|((place, tally), name)| Number {
             name,
-            grade: tally.grade,
-            counts: [tally.checked, tally.off],
+            grade: judgement.verdict.grades[place],
+            counts: [judgement.verdict.counts[place][1], judgement.verdict.counts[place][0]],
             bound: court.bound(place),
             worst: tally.worst.as_ref().map(|worst| [worst.eta, worst.found, worst.exact]),
             inputs: tally.worst.as_ref().map(|worst| self.inputs(worst.question)),
         });
         Some(Judged {
-            is_well: judgement.found.is_well(),
+            is_well: judgement.is_well(),
             numbers: numbers.collect(),
+            parts: judgement.parts().iter().map(|part| (part.clone(), part.point.map(|k| self.inputs(k)))).collect(),
             text: plain(&judgement.text),
             causes: judgement.causes,
         })
@@ -126,12 +130,12 @@ mod tests {
         };
         let right: Vec<_> = called.points().map(answer).collect();
         assert!(right.iter().any(|answer| matches!(answer, Answer::Refused(_))));
-        let judged = called.judge("mine", &[right.clone(), right.clone()]).unwrap();
+        let judged = called.judge("mine", &[right.clone(), right.clone()], true).unwrap();
         assert!(judged.is_well, "{}", judged.text);
         let with_first = |first| [&[first][..], &right[1..]].concat();
-        assert!(called.judge("mine", &[right.clone(), with_first(Answer::Numbers(Vec::new()))]).is_none());
-        assert!(called.judge("mine", &[right.clone(), right[1..].to_vec()]).is_none());
-        let refused = called.judge("mine", &[with_first(Answer::Refused(None)), right.clone()]).unwrap();
+        assert!(called.judge("mine", &[right.clone(), with_first(Answer::Numbers(Vec::new()))], false).is_none());
+        assert!(called.judge("mine", &[right.clone(), right[1..].to_vec()], false).is_none());
+        let refused = called.judge("mine", &[with_first(Answer::Refused(None)), right.clone()], false).unwrap();
         assert!(!refused.is_well, "{}", refused.text);
         let valid = Called::new(formula, false, &Options { samples: 10, ..Options::default() }, false);
         let mut order = called.other_order();

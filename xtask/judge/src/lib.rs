@@ -10,8 +10,10 @@ mod diagnosis;
 pub mod examination;
 mod judgement;
 mod map;
+mod parts;
 mod question;
 mod report;
+mod scale;
 mod taylor;
 #[cfg(test)]
 mod tests;
@@ -20,6 +22,7 @@ mod verdict;
 pub use answer::{Answer, Heard, Manners};
 pub use called::{Called, Judged, Number};
 pub use judgement::Judgement;
+pub use parts::{Part, Standing};
 pub use question::{Question, Wanted, of_points, other_order, sizes};
 pub use taylor::questions;
 pub use verdict::{Bounds, Court, Grade};

@@ -1,7 +1,7 @@
 //! A map of an answer that shows which numbers are right.
 
 use super::question::Wanted;
-use super::verdict::{Grade, Tally};
+use super::verdict::Grade;
 use crate::console::{green, red, yellow};
 use jointproof::formula::Field;
 use std::fmt::Write;
@@ -28,28 +28,29 @@ fn components(fields: &[Field]) -> Vec<String> {
     fields.iter().flat_map(of_field).collect()
 }
 
-fn mark(tally: &Tally) -> String {
-    match tally.grade {
-        _ if tally.checked == 0 => if tally.is_absent { "-" } else { " " }.into(),
-        Grade::Right => green("+"),
-        Grade::Inaccurate => yellow("~"),
-        Grade::Wrong => red("x"),
+/// The mark of a number; `None` if it was never given.
+fn mark(grade: Option<Grade>) -> String {
+    match grade {
+        None => "-".into(),
+        Some(Grade::Right) => green("+"),
+        Some(Grade::Inaccurate) => yellow("~"),
+        Some(Grade::Wrong) => red("x"),
     }
 }
 
 /// One line per output: its value, then its derivatives, field by field.
-pub(super) fn map(inputs: &[Field], outputs: &[Field], wanted: Wanted, tallies: &[Tally]) -> String {
+pub(super) fn map(inputs: &[Field], outputs: &[Field], wanted: Wanted, grades: &[Option<Grade>]) -> String {
     let (rows, width) = (components(outputs), components(inputs).len());
-    let (values, rest) = tallies.split_at(rows.len().min(tallies.len()));
+    let (values, rest) = grades.split_at(rows.len().min(grades.len()));
     let name = rows.iter().map(String::len).max().unwrap_or_default();
     let mut text = String::new();
     for (k, (row, value)) in rows.iter().zip(values).enumerate() {
         let marks = match wanted {
             Wanted::Value => String::new(),
             Wanted::Jacobian => format!(" | {}", by_field(inputs, &rest[k * width..][..width])),
-            Wanted::Products => format!(" | {}", mark(&rest[k])),
+            Wanted::Products => format!(" | {}", mark(rest[k])),
         };
-        let _ = writeln!(text, "    {row:name$} {}{marks}", mark(value));
+        let _ = writeln!(text, "    {row:name$} {}{marks}", mark(*value));
     }
     if wanted == Wanted::Products {
         let _ = writeln!(text, "    {:name$}   | {}", "wᵀJ", by_field(inputs, &rest[rows.len()..]));
@@ -62,8 +63,8 @@ pub(super) fn map(inputs: &[Field], outputs: &[Field], wanted: Wanted, tallies: 
 }
 
 /// The marks of a row, with a gap between fields.
-fn by_field(fields: &[Field], tallies: &[Tally]) -> String {
-    let mut rest = tallies.iter();
+fn by_field(fields: &[Field], grades: &[Option<Grade>]) -> String {
+    let mut rest = grades.iter().copied();
     let of_field = |field: &Field| rest.by_ref().take(field.len()).map(mark).collect::<String>();
     fields.iter().map(of_field).collect::<Vec<_>>().join(" ")
 }
@@ -73,11 +74,9 @@ mod tests {
     use super::*;
 
     #[test]
-    fn marks_tell_what_was_not_given_from_what_was_not_asked() {
-        let shown = |checked, is_absent, grade| mark(&Tally { checked, is_absent, grade, ..Tally::default() });
-        let marks = [(0, false), (0, true), (1, false)].map(|(checked, absent)| shown(checked, absent, Grade::Right));
-        assert_eq!(marks, [" ".to_owned(), "-".to_owned(), green("+")]);
-        assert_eq!(shown(1, true, Grade::Inaccurate), yellow("~"));
-        assert_eq!(shown(2, false, Grade::Wrong), red("x"));
+    fn marks_tell_what_was_not_given_from_what_is_right() {
+        assert_eq!(mark(None), "-");
+        let marks = [Grade::Right, Grade::Inaccurate, Grade::Wrong].map(|grade| mark(Some(grade)));
+        assert_eq!(marks, [green("+"), yellow("~"), red("x")]);
     }
 }

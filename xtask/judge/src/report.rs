@@ -2,9 +2,9 @@
 
 use super::answer::Heard;
 use super::map::{map, names};
-use super::question::Own;
+use super::parts::{Parts, Standing, is_well};
 use super::verdict::{Court, Grade, Verdict, Worst};
-use crate::console::{bold, count, figure, green, red};
+use crate::console::{bold, count, figure, green, red, yellow};
 use jointproof::toolkit::verify::golden::named;
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -29,24 +29,64 @@ fn head(court: &Court<'_>, program: &[String], well: bool) -> String {
     format!("{mark} {} by {words}:", bold(court.formula.spec().id))
 }
 
-/// The full report: a line or two if all is well.
+/// The causes, one line each; what is wrong without a known cause is said to be unexplained.
+pub(super) fn causes(verdict: &Parts) -> Vec<String> {
+    let causes = verdict.diagnosis.lines();
+    let is_wrong = verdict.parts.iter().any(|part| part.standing == Standing::Wrong);
+    let named: Vec<_> = verdict.parts.iter().flat_map(|part| part.causes.iter().cloned()).collect();
+    // What is wrong on kinks does not explain what is wrong elsewhere.
+    let is_unexplained = causes.is_empty() && verdict.parts[0].standing == Standing::Wrong;
+    match (is_unexplained || causes.is_empty() && named.is_empty(), is_wrong) {
+        (true, true) => match verdict.parts[0].right {
+            [right, all] if (1..3).contains(&(all - right)) && all > 3 => {
+                vec![format!("unexplained: it is off at {} alone", count(all - right, "point"))]
+            }
+            _ => vec!["unexplained".into()],
+        },
+        _ => [causes, named].concat(),
+    }
+}
+
+/// The full report: a line for each part, and what is to be said about it.
 pub(super) fn text(
     court: &Court<'_>,
     program: &[String],
     found: &Verdict,
+    verdict: &Parts,
     heard: &Heard,
     slope: Option<&str>,
-    causes: &[String],
 ) -> String {
-    let questions = court.questions.len();
-    let mut text = format!(
-        "{} {}, each asked twice; {} judged in 237 bits, {} have the bits of jointproof, {} refused as they must be\n",
-        head(court, program, found.is_well()),
-        count(questions, "point"),
-        count(found.judged, "number"),
-        found.same,
-        found.refused,
-    );
+    let is_well = is_well(found, verdict, court.is_strict);
+    let summary = match (is_well, verdict.are_right()) {
+        (true, _) if verdict.parts.iter().any(|part| part.standing == Standing::Limited) => "right, with limits",
+        (true, _) => "right",
+        (false, true) if court.is_strict => "right, but not strictly",
+        (false, _) => "not right",
+    };
+    let questions = count(court.questions.len(), "point");
+    let mut text = format!("{} {summary}; {questions}, each asked twice\n", head(court, program, is_well));
+    let wide = verdict.parts.iter().map(|part| part.title.chars().count()).max().unwrap_or_default();
+    for part in &verdict.parts {
+        let says = match part.standing {
+            Standing::Right => green(&part.says),
+            Standing::Limited => yellow(&part.says),
+            Standing::Wrong => red(&part.says),
+            Standing::NotAsked => part.says.clone(),
+        };
+        let _ = writeln!(text, "    {:wide$}  {says}", part.title);
+        for detail in &part.details {
+            let _ = writeln!(text, "    {:wide$}  {detail}", "");
+        }
+        if let Some(point) = part.point {
+            let _ = writeln!(
+                text,
+                "    {:wide$}  at the point {}\n      {}",
+                "",
+                court.questions[point].name,
+                self::point(court, point)
+            );
+        }
+    }
     let mut line = |what: String| {
         let _ = writeln!(text, "    {what}");
     };
@@ -59,10 +99,6 @@ pub(super) fn text(
     if found.refused_by_nan > 0 {
         line(format!("taken for a refusal: NaN or infinity, {}", count(found.refused_by_nan, "time")));
     }
-    if found.beside > 0 {
-        let answers = count(found.beside, "answer");
-        line(format!("{answers} taken for right a rounding of an input beside the point, on the other side of a kink"));
-    }
     for (what, questions) in by_what(&found.skipped) {
         line(format!("skipped {}: {what}", places(court, &questions)));
     }
@@ -73,15 +109,8 @@ pub(super) fn text(
         let at = &court.questions[question].name;
         line(format!("{} what is valid: {at}\n      {}", red("refuses"), point(court, question)));
     }
-    for &question in found.accepted.iter().take(SHOWN) {
-        let Own::Refused(why) = &court.questions[question].own else { continue };
-        line(format!("{} what must be refused: {}: {why}", red("accepts"), court.questions[question].name));
-    }
-    for (what, all) in [("refuses", found.refused_wrongly.len()), ("accepts", found.accepted.len())] {
-        match all.saturating_sub(SHOWN) {
-            0 => {}
-            more => line(format!("{what} {more} more")),
-        }
+    if let more @ 1.. = found.refused_wrongly.len().saturating_sub(SHOWN) {
+        line(format!("refuses {more} more"));
     }
     if let Some(&question) = found.two_answers.first() {
         line(format!(
@@ -91,49 +120,40 @@ pub(super) fn text(
             point(court, question)
         ));
     }
-    text += &entries(court, found);
+    text += &entries(court, found, verdict);
     if let Some(slope) = slope {
         let _ = writeln!(text, "    {slope}");
     }
-    for cause in causes {
+    for cause in causes(verdict) {
         let _ = writeln!(text, "    {} {cause}", bold("diagnosis:"));
     }
     text
 }
 
-/// The map, and the wrong entries.
-fn entries(court: &Court<'_>, found: &Verdict) -> String {
+/// The map, if a number is another one somewhere; judged strictly, also the entries beyond their bounds.
+fn entries(court: &Court<'_>, found: &Verdict, verdict: &Parts) -> String {
+    let is_off = |grade: &Grade| *grade == Grade::Wrong || court.is_strict && *grade != Grade::Right;
+    if !verdict.grades.iter().any(is_off) {
+        return String::new();
+    }
     let (inputs, outputs) = (court.formula.inputs(), court.formula.outputs());
+    let is_absent = |place: usize| found.tallies.get(place).is_some_and(|tally| tally.checked == 0 && tally.is_absent);
+    let grades: Vec<_> =
+        verdict.grades.iter().enumerate().map(|(place, grade)| (!is_absent(place)).then_some(*grade)).collect();
+    let mut text = map(inputs, outputs, court.wanted, &grades);
+    text += "    + right  ~ right with limits  x wrong  - not given\n";
+    if !court.is_strict {
+        return text;
+    }
     let names = names(inputs, outputs, court.wanted);
     let mut off: Vec<_> = (0..found.tallies.len()).filter(|&place| found.tallies[place].off > 0).collect();
-    if off.is_empty() {
-        let worst = |places: std::ops::Range<usize>| {
-            let tallies = found.tallies.get(places).unwrap_or_default();
-            let etas = tallies.iter().filter_map(|tally| tally.worst.as_ref()).map(|worst| worst.eta);
-            figure(etas.fold(0.0, f64::max))
-        };
-        let (m, all) = (outputs.iter().map(jointproof::formula::Field::len).sum(), found.tallies.len());
-        if all == 0 {
-            return String::new();
-        }
-        let bounds = court.bounds;
-        let jacobian = if all > m {
-            format!(", of the rest {} (bound {})", worst(m..all), figure(court.bound(all - 1)))
-        } else {
-            String::new()
-        };
-        return format!("    η of the value at most {} (bound {}){jacobian}\n", worst(0..m), figure(bounds.value));
-    }
-    let mut text = map(inputs, outputs, court.wanted, &found.tallies);
-    text += "    + right  ~ inaccurate  x wrong  - not given\n";
     off.sort_by_key(|&place| std::cmp::Reverse(found.tallies[place].grade));
     for &place in off.iter().take(SHOWN) {
         let tally = &found.tallies[place];
         let Some(Worst { eta, question, found, exact }) = &tally.worst else { continue };
-        let word = if tally.grade == Grade::Wrong { "wrong" } else { "inaccurate" };
         let _ = writeln!(
             text,
-            "    {} {word} at {} of {}: η {} (bound {}) at {}\n      found {found:?}, exact is {exact:?}\n      {}",
+            "    {} beyond its bound at {} of {}: η {} (bound {}) at {}\n      found {found:?}, exact is {exact:?}\n      {}",
             bold(&names[place]),
             tally.off,
             count(tally.checked, "answer"),
@@ -149,10 +169,14 @@ fn entries(court: &Court<'_>, found: &Verdict) -> String {
     text
 }
 
+/// The inputs of a question, by name.
+pub(super) fn inputs(court: &Court<'_>, question: usize) -> serde_json::Value {
+    named(court.formula.inputs(), &court.questions[question].inputs).into()
+}
+
 /// A point in a form that can be passed back.
 pub(super) fn point(court: &Court<'_>, question: usize) -> String {
-    let inputs = named(court.formula.inputs(), &court.questions[question].inputs);
-    format!("--point '{}'", serde_json::Value::from(inputs))
+    format!("--point '{}'", inputs(court, question))
 }
 
 fn by_what(list: &[(usize, String)]) -> BTreeMap<&str, Vec<usize>> {
@@ -171,6 +195,3 @@ fn places(court: &Court<'_>, questions: &[usize]) -> String {
         _ => names.join(", "),
     }
 }
-
-#[cfg(test)]
-mod tests;

@@ -5,7 +5,7 @@
 
 use super::answer::Answer;
 use super::map::names;
-use super::question::{Along, Own, Question, Wanted, of_points, sizes};
+use super::question::{Along, Kind, Own, Question, Wanted, ladder, of_points, sizes, zeros};
 use super::verdict::Court;
 use jointproof::catalog::AnyFormula;
 use jointproof::toolkit::verify::{Options, Sampler};
@@ -42,7 +42,20 @@ impl Values<'_> {
 /// along directions follow.
 pub fn questions(formula: &dyn AnyFormula, wanted: Wanted, options: &Options) -> Vec<Question> {
     let points = formula.judge().points(options);
+    let last = points.last().map(|(_, inputs)| inputs.clone()).unwrap_or_default();
     let mut questions = of_points(formula, wanted, points, options.seed);
+    let (rungs, points) = ladder(formula, &last)
+        .into_iter()
+        .map(|(rung, inputs)| {
+            let name = format!("{} of size 1e{}", rung.fields.join(", "), rung.exponent);
+            (rung, (name, inputs))
+        })
+        .unzip::<_, _, Vec<_>, Vec<_>>();
+    let mut on_ladder = of_points(formula, wanted, points, options.seed);
+    on_ladder.iter_mut().zip(rungs).for_each(|(question, rung)| question.kind = Kind::Rung(rung));
+    on_ladder.extend(of_points(formula, wanted, zeros(formula, &last), options.seed));
+    // The ladder shows limits; what no double holds, or is not allowed, is asked elsewhere.
+    questions.extend(on_ladder.into_iter().filter(|question| matches!(question.own, Own::Results(_))));
     questions.sort_by_key(Question::must_be_refused);
     if wanted == Wanted::Products {
         questions.extend(along_directions(formula, &questions, options.seed));
@@ -92,6 +105,7 @@ fn direction(formula: &dyn AnyFormula, question: &Question, sampler: &mut Sample
         inputs: stepped(step),
         directions: Some([v.clone(), w.clone()]),
         own: Own::Results(value),
+        kind: Kind::Ordinary,
         along: Some(Along { base: 0, noise: noise.clone() }),
     };
     let steps = [0.0].into_iter().chain(STEPS);
@@ -183,7 +197,8 @@ mod tests {
         let options = verify::Options { samples: 10, ..verify::Options::default() };
         let formula = find("slot.friction").unwrap();
         let asked = questions(formula, Wanted::Value, &options);
-        assert_eq!(asked.len(), formula.judge().points(&options).len());
+        let named = asked.iter().filter(|question| !matches!(question.kind, Kind::Rung(_))).count();
+        assert!(named >= formula.judge().points(&options).len() && asked.len() > named);
         assert!(!asked[0].must_be_refused() && asked[asked.len() - 1].must_be_refused());
         assert!(asked.is_sorted_by_key(Question::must_be_refused));
     }
@@ -282,6 +297,7 @@ mod tests {
             wanted: Wanted::Products,
             bounds: super::super::verdict::Bounds::of(formula),
             questions: &asked,
+            is_strict: false,
         };
         let answer = |question: &Question| {
             let [v, _] = question.directions.as_ref().unwrap();

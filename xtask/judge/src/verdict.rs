@@ -1,7 +1,7 @@
 //! Judges answers: every number by its backward error η, and rejections.
 
 use super::answer::Answer;
-use super::question::{Own, Question, Wanted, sizes};
+use super::question::{Kind, Own, Question, Wanted, sizes};
 use jointproof::catalog::AnyFormula;
 use jointproof::toolkit::verify::{Judge, Known, Truth};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
@@ -86,13 +86,27 @@ pub(super) struct Verdict {
     pub(super) two_answers: Vec<usize>,
     /// Answers that are right for inputs within a rounding error of the question, on the other side of a kink.
     pub(super) beside: usize,
-    /// Questions with a wrong number.
+    /// Questions with a number beyond its bound.
     pub(super) off: Vec<usize>,
+    /// The backward errors of the answers that were judged in 237 bits.
+    pub(super) etas: Vec<Etas>,
+    /// Questions whose answers have the bits of this program's.
+    pub(super) same_questions: usize,
+}
+
+/// The backward errors of all numbers at a question; `None` for those that are not judged.
+#[derive(Clone, Debug)]
+pub(super) struct Etas {
+    pub(super) question: usize,
+    pub(super) found: Vec<Option<f64>>,
+    /// Of this program's own numbers.
+    pub(super) own: Vec<Option<f64>>,
 }
 
 impl Verdict {
-    /// Whether nothing is wrong.
-    pub(super) fn is_well(&self) -> bool {
+    /// Whether every number is within its bound, at all sizes and by our convention on kinks, and every input refused that is not
+    /// allowed.
+    pub(super) fn is_strictly_right(&self) -> bool {
         let faults = [self.refused_wrongly.len(), self.accepted.len(), self.bad.len(), self.two_answers.len()];
         self.judged + self.same > 0 && self.off.is_empty() && faults.iter().all(|&faults| faults == 0)
     }
@@ -115,6 +129,8 @@ impl Verdict {
         self.skipped.extend(other.skipped);
         self.two_answers.extend(other.two_answers);
         self.off.extend(other.off);
+        self.etas.extend(other.etas);
+        self.same_questions += other.same_questions;
         self
     }
 }
@@ -155,7 +171,12 @@ pub struct Court<'a> {
     pub bounds: Bounds,
     /// The points.
     pub questions: &'a [Question],
+    /// Whether our bounds are asked for at all sizes, and our convention on kinks.
+    pub is_strict: bool,
 }
+
+/// Random points that are judged in 237 bits if bounds are asked for at none of them: these tell how accurate a program is.
+const EXACTLY: usize = 200;
 
 impl Court<'_> {
     /// Judges the answers of the first and of the second pass.
@@ -187,7 +208,11 @@ impl Court<'_> {
                 Answer::Bad(what) => verdict.bad.push((k, what.clone())),
                 Answer::Skipped(why) => verdict.skipped.push((k, why.clone())),
                 Answer::Refused(_) => verdict.refused_wrongly.push(k),
-                Answer::Numbers(found) if self.may_be_own(k) && has_bits(found, own) => verdict.same += found.len(),
+                Answer::Numbers(found) if self.may_be_own(k) && has_bits(found, own) => {
+                    verdict.same += found.len();
+                    verdict.same_questions += 1;
+                }
+                Answer::Numbers(_) if !self.is_judged_exactly(k, answer) => {}
                 Answer::Numbers(found) => {
                     let (truth, known) = truth.get_or_insert_with(|| self.expected(judge, k));
                     // On the kink itself a convention applies.
@@ -200,6 +225,10 @@ impl Court<'_> {
                     } else {
                         self.numbers(k, found, known, &mut verdict);
                     }
+                    let eta = |x: Option<f64>, known: &Option<Known>| Some(known.as_ref()?.eta(x?));
+                    let etas = found.iter().zip(known.iter()).map(|(x, known)| eta(*x, known)).collect();
+                    let own = own.iter().zip(known.iter()).map(|(x, known)| eta(Some(*x), known)).collect();
+                    verdict.etas.push(Etas { question: k, found: etas, own });
                 }
             }
         }
@@ -210,6 +239,19 @@ impl Court<'_> {
     /// all others they are judged here too.
     fn may_be_own(&self, k: usize) -> bool {
         self.wanted != Wanted::Products && self.questions[k].name.starts_with("random ")
+    }
+
+    /// Whether this answer is judged in 237 bits: every one where bounds are asked for, else those that tell how accurate
+    /// a program is and where it loses digits.
+    fn is_judged_exactly(&self, k: usize, answer: &Answer) -> bool {
+        let number = self.questions[k].name.strip_prefix("random ").and_then(|name| name.split(' ').next());
+        let is_among_first = number.and_then(|number| number.parse().ok()).is_none_or(|number: usize| number < EXACTLY);
+        let is_suspect = || {
+            let deviations = self.deviations(k, answer);
+            deviations.is_some_and(|all| all.iter().flatten().any(|deviation| (1e-13..1e-3).contains(deviation)))
+        };
+        let is_rung = matches!(self.questions[k].kind, Kind::Rung(_));
+        self.is_strict || !is_rung && (is_among_first || is_suspect())
     }
 
     fn refusal(&self, k: usize, answers: [&Answer; 2], verdict: &mut Verdict) {
@@ -262,13 +304,8 @@ impl Court<'_> {
         })
     }
 
-    /// Whether a rounding error of one input leads from a question to another branch.
-    pub(super) fn is_beside_kink(&self, k: usize) -> bool {
-        self.other_sides(k).next().is_some()
-    }
-
     /// Inputs that differ from a named question by a rounding error of one input, and at which value or derivative has jumped.
-    fn other_sides(&self, k: usize) -> impl Iterator<Item = Vec<f64>> {
+    pub(super) fn other_sides(&self, k: usize) -> impl Iterator<Item = Vec<f64>> {
         let question = &self.questions[k];
         let results = |inputs: &[f64]| {
             let (value, jacobian) = self.formula.value_and_jacobian(inputs).ok()?;

@@ -21,7 +21,22 @@ pub(crate) struct Judged {
     is_well: bool,
     text: String,
     causes: Vec<String>,
+    /// The parts of the verdict.
+    parts: Vec<Py<Part>>,
     numbers: Vec<Py<Found>>,
+}
+
+/// A part of the verdict.
+#[pyclass(frozen, get_all)]
+pub(crate) struct Part {
+    title: &'static str,
+    conclusion: &'static str,
+    right: usize,
+    of: usize,
+    says: String,
+    details: Vec<String>,
+    /// The simplest point that is not right, as JSON.
+    point: Option<String>,
 }
 
 /// The result for one number of the answers.
@@ -97,15 +112,18 @@ impl Called {
         name: &str,
         first: Vec<Bound<'_, PyAny>>,
         second: Vec<Bound<'_, PyAny>>,
+        strict: bool,
     ) -> PyResult<Judged> {
         let answers = [answers(&first)?, answers(&second)?];
-        let judged = on_all_cores(py, || self.called.judge(name, &answers));
+        let judged = on_all_cores(py, || self.called.judge(name, &answers, strict));
         let judged = judged.ok_or_else(|| PyValueError::new_err("an answer has not as many numbers as the formula"))?;
+        let parts = judged.parts.into_iter().map(|(part, point)| Py::new(py, Part::of(part, point)));
         let numbers = judged.numbers.into_iter().map(|number| Py::new(py, Found::from(number)));
         Ok(Judged {
             is_well: judged.is_well,
             text: judged.text,
             causes: judged.causes,
+            parts: parts.collect::<PyResult<_>>()?,
             numbers: numbers.collect::<PyResult<_>>()?,
         })
     }
@@ -113,6 +131,14 @@ impl Called {
 
 fn answers(said: &[Bound<'_, PyAny>]) -> PyResult<Vec<Answer>> {
     said.iter().map(|said| Ok(said.extract::<Said>()?.into())).collect()
+}
+
+impl Part {
+    fn of(part: judge::Part, point: Option<serde_json::Value>) -> Self {
+        let judge::Part { title, standing, right: [right, of], says, details, .. } = part;
+        let point = point.map(|inputs| inputs.to_string());
+        Self { title, conclusion: standing.name(), right, of, says, details, point }
+    }
 }
 
 impl From<Number> for Found {

@@ -1,11 +1,12 @@
-//! Every wrong number is a constant multiple of the right one.
+//! Wrong numbers that are constant multiples of the right ones.
 
-use super::evidence::{Evidence, LEAST, Sample};
+use super::model::Map;
+use super::sample::Evidence;
 use jointproof::formula::Field;
 use std::collections::BTreeSet;
 
 /// Factors with names.
-const NAMED: [(f64, &str); 11] = [
+const NAMED: [(f64, &str); 10] = [
     (-1.0, "the sign is turned of"),
     (0.0, "left out (always 0):"),
     (2.0, "a factor of 2 too much in"),
@@ -16,54 +17,48 @@ const NAMED: [(f64, &str); 11] = [
     (0.25, "a factor of ¼ too much in"),
     (std::f64::consts::PI / 180.0, "degrees for radians (a factor of π/180) in"),
     (180.0 / std::f64::consts::PI, "degrees for radians (a factor of 180/π) in"),
-    (1.0, "more rounding than the bound allows in"),
 ];
 
-/// The largest number of different factors that are reported together.
-const GROUPS: usize = 3;
+/// What is observed at fewer points may be chance.
+const LEAST: usize = 3;
 
-/// The explanation by factors, in words.
-pub(super) fn cause(evidence: &Evidence<'_>, off: &[usize]) -> Option<String> {
-    let mut groups: Vec<(f64, Vec<usize>)> = Vec::new();
-    for &place in off {
-        let factor = factor(evidence, place)?;
+/// Groups of wrong numbers with a common factor, the largest first, in words.
+pub(super) fn groups(evidence: &Evidence<'_>) -> Vec<(String, Map)> {
+    let mut groups: Vec<(f64, BTreeSet<usize>)> = Vec::new();
+    for &place in &evidence.off {
+        let Some(factor) = factor(evidence, place) else { continue };
         match groups.iter_mut().find(|(other, _)| (other - factor).abs() <= 1e-9 * factor.abs()) {
-            Some((_, places)) => places.push(place),
-            None => groups.push((factor, vec![place])),
+            Some((_, places)) => drop(places.insert(place)),
+            None => groups.push((factor, BTreeSet::from([place]))),
         }
     }
-    let described =
-        groups.iter().map(|(factor, places)| Some(format!("{} {}", word(*factor)?, whose(evidence, places))));
-    let described: Vec<_> = described.collect::<Option<_>>()?;
-    (!described.is_empty() && described.len() <= GROUPS).then(|| described.join("; "))
+    groups.sort_by_key(|(_, places)| std::cmp::Reverse(places.len()));
+    let worded = |(factor, places): (f64, BTreeSet<usize>)| {
+        let what = format!("{} {}", word(factor)?, whose(evidence, &places));
+        Some((what, places.into_iter().map(|place| (place, vec![(place, factor)])).collect()))
+    };
+    groups.into_iter().filter_map(worded).collect()
 }
 
 /// The constant factor of a number at all samples.
 fn factor(evidence: &Evidence<'_>, place: usize) -> Option<f64> {
-    let mut seen: Vec<_> = evidence.off_samples(&[place]);
+    let mut seen = evidence.off_samples(&[place]);
     if seen.len() < LEAST {
         return None;
     }
-    // The factor is most accurate where the number is large compared with its rounding error.
-    let size = |sample: &&Sample| {
-        let known = sample.expected[place].as_ref().expect("what is off was judged");
-        known.eta(2.0 * known.exact.to_f64())
-    };
+    // The factor is most accurate where the number is large compared with its scale.
+    let size = |sample: &&super::sample::Sample| (sample.right[place] / sample.scale[place]).abs();
     seen.sort_by(|a, b| size(b).total_cmp(&size(a)));
-    let (found, known) = (seen[0].found[place]?, seen[0].expected[place].as_ref()?);
-    let ratio = found / known.exact.to_f64();
-    let named = NAMED.iter().map(|(factor, _)| *factor).find(|factor| (factor - ratio).abs() <= 1e-12 * ratio.abs());
+    let ratio = seen[0].found[place]? / seen[0].right[place];
+    let named = NAMED.iter().map(|(factor, _)| *factor).find(|factor| (factor - ratio).abs() <= 1e-11 * ratio.abs());
     let factor = named.unwrap_or(ratio);
     // A number that never changes is consistent with any factor.
-    let is_constant = seen.iter().all(|sample| sample.expected[place].is_some_and(|other| other.exact == known.exact));
-    if !factor.is_finite() || named.is_none() && is_constant {
-        return None;
-    }
-    let predicted = |sample: &Sample| sample.expected[place].map(|known| known.times(factor));
-    evidence.is_always(place, predicted).then_some(factor)
+    let is_constant = seen.iter().all(|sample| sample.right[place] == seen[0].right[place]);
+    let fits = |sample: &super::sample::Sample| sample.fits(place, sample.right[place] * factor);
+    (factor.is_finite() && !(named.is_none() && is_constant) && evidence.nearly_all(fits)).then_some(factor)
 }
 
-fn word(factor: f64) -> Option<String> {
+pub(super) fn word(factor: f64) -> Option<String> {
     if let Some((_, word)) = NAMED.iter().find(|(named, _)| *named == factor) {
         return Some((*word).to_owned());
     }
@@ -75,17 +70,14 @@ fn word(factor: f64) -> Option<String> {
 }
 
 /// A name for these numbers, in as few words as possible.
-fn whose(evidence: &Evidence<'_>, places: &[usize]) -> String {
+pub(super) fn whose(evidence: &Evidence<'_>, places: &BTreeSet<usize>) -> String {
     let [value, rest] = evidence.parts();
-    let places: BTreeSet<usize> = places.iter().copied().collect();
-    let alive = |place: &usize| {
-        evidence.samples.iter().any(|sample| sample.expected[*place].is_some_and(|known| known.exact != 0.0))
-    };
+    let alive = |place: &usize| evidence.samples.iter().any(|sample| sample.right[*place] != 0.0);
     let all: BTreeSet<usize> = rest.clone().filter(alive).collect();
     let (values, rest): (BTreeSet<usize>, BTreeSet<usize>) = places.iter().partition(|place| value.contains(place));
     let (inputs, outputs) = (evidence.court.formula.inputs(), evidence.court.formula.outputs());
     if evidence.names.len() != value.len() * (1 + count(inputs)) {
-        return list(&evidence.names, &places);
+        return list(&evidence.names, places);
     }
     let derivatives = || {
         if rest == all && all.len() > 1 {

@@ -1,38 +1,18 @@
 //! Permuted numbers.
 
-use super::evidence::{Evidence, LEAST, Sample};
-use super::factors::list;
+use super::sample::Evidence;
 use crate::question::Wanted;
 use jointproof::formula::Field;
-use std::collections::BTreeSet;
 
 /// The source of each number of an answer.
 type Places = Vec<usize>;
 
-/// The permutation that explains these numbers, in words.
-pub(super) fn cause(evidence: &Evidence<'_>, off: &[usize]) -> Option<String> {
-    if evidence.court.wanted == Wanted::Products {
-        return None;
-    }
-    exchanges(evidence).into_iter().find(|(_, places)| explains(evidence, off, places)).map(|(what, _)| what)
-}
-
-/// Whether every wrong number is the one that the permutation puts in its position, and those of the same part that
-/// are right stay right.
-fn explains(evidence: &Evidence<'_>, off: &[usize], places: &Places) -> bool {
-    if off.iter().any(|&place| places[place] == place) {
-        return false;
-    }
-    let m = evidence.parts()[0].end;
-    let parts: BTreeSet<bool> = off.iter().map(|&place| place < m).collect();
-    (0..places.len())
-        .filter(|&place| places[place] != place && parts.contains(&(place < m)))
-        .all(|place| evidence.is_always(place, |sample: &Sample| sample.expected[places[place]]))
-}
-
 /// All permutations with a name; one that moves nothing explains nothing.
 pub(super) fn exchanges(evidence: &Evidence<'_>) -> Vec<(String, Places)> {
     let (inputs, outputs) = (evidence.court.formula.inputs(), evidence.court.formula.outputs());
+    if evidence.court.wanted == Wanted::Products {
+        return Vec::new();
+    }
     let count = |fields: &[Field]| fields.iter().map(Field::len).sum::<usize>();
     let (n, m) = (count(inputs), count(outputs));
     let same: Places = (0..evidence.names.len()).collect();
@@ -72,6 +52,48 @@ pub(super) fn exchanges(evidence: &Evidence<'_>) -> Vec<(String, Places)> {
                 swapped.swap(of(a), of(b));
             }
             exchanges.push((format!("exchanged: the {what} {name}"), swapped));
+        }
+    }
+    if has_jacobian {
+        for (name, a, b) in pairs(outputs) {
+            let mut swapped = same.clone();
+            (0..n).for_each(|k| swapped.swap(entry(a, k), entry(b, k)));
+            exchanges.push((format!("exchanged: the derivatives of {name}"), swapped));
+        }
+        exchanges.extend(columns(inputs, outputs, &same, entry));
+    }
+    exchanges
+}
+
+/// The derivatives by two inputs exchanged: of all outputs, or of one.
+fn columns(
+    inputs: &[Field],
+    outputs: &[Field],
+    same: &Places,
+    entry: impl Fn(usize, usize) -> usize,
+) -> Vec<(String, Places)> {
+    let starts = |fields: &[Field]| {
+        let mut next = 0;
+        let start = |field: &Field| {
+            next += field.len();
+            (*field, next - field.len())
+        };
+        fields.iter().map(start).collect::<Vec<_>>()
+    };
+    let (inputs, outputs) = (starts(inputs), starts(outputs));
+    let m: usize = outputs.iter().map(|(field, _)| field.len()).sum();
+    let rows = outputs.iter().map(|(field, start)| (format!(" of {}", field.name), *start..start + field.len()));
+    let all = [(String::new(), 0..m)].into_iter().chain(rows.filter(|_| outputs.len() > 1));
+    let mut exchanges = Vec::new();
+    for (whose, rows) in all {
+        for (k, (a, first)) in inputs.iter().enumerate() {
+            for (b, second) in inputs[k + 1..].iter().filter(|(b, _)| a.len() == b.len()) {
+                let mut swapped = same.clone();
+                for i in rows.clone() {
+                    (0..a.len()).for_each(|j| swapped.swap(entry(i, first + j), entry(i, second + j)));
+                }
+                exchanges.push((format!("exchanged: the derivatives{whose} by {} and {}", a.name, b.name), swapped));
+            }
         }
     }
     exchanges
@@ -148,51 +170,9 @@ fn pairs(fields: &[Field]) -> Vec<(String, usize, usize)> {
     pairs
 }
 
-/// Every wrong entry contains another entry of the Jacobian, or its opposite.
-pub(super) fn entries(evidence: &Evidence<'_>, off: &[usize]) -> Option<String> {
-    let [value, rest] = evidence.parts();
-    let mut described = Vec::new();
-    for &place in off {
-        let samples = evidence.off_samples(&[place]);
-        let part = if value.contains(&place) { value.clone() } else { rest.clone() };
-        let fits = |&(source, sign): &(usize, f64)| {
-            samples.len() >= LEAST
-                && source != place
-                && is_near(samples[0], place, source, sign)
-                && evidence.is_always(place, |sample| sample.expected[source].map(|known| known.times(sign)))
-        };
-        let (source, sign) = part.flat_map(|source| [(source, 1.0), (source, -1.0)]).find(fits)?;
-        let sign = if sign.is_sign_negative() { "−" } else { "" };
-        described.push(format!("{} holds {sign}{}", evidence.names[place], list(&evidence.names, &[source].into())));
-    }
-    (!described.is_empty() && described.len() <= 4).then(|| format!("an index is wrong: {}", described.join("; ")))
-}
-
-/// Whether it merits an exact check.
-fn is_near(sample: &Sample, place: usize, source: usize, sign: f64) -> bool {
-    let (Some(found), Some(known)) = (sample.found[place], &sample.expected[source]) else { return false };
-    let known = known.exact.to_f64() * sign;
-    (found - known).abs() <= 1e-9 * (found.abs() + known.abs())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use jointproof::Octuple;
-    use jointproof::toolkit::verify::Known;
-
-    #[test]
-    fn a_number_is_worth_a_look_where_nine_digits_are_right() {
-        let known = Known::combined(std::iter::empty()).with(Octuple::from(3.0));
-        let is_near = |found: f64, sign: f64| {
-            let sample = Sample { question: 0, expected: vec![Some(known)], found: vec![Some(found)], kink: None };
-            is_near(&sample, 0, 0, sign)
-        };
-        assert!(is_near(3.0, 1.0) && is_near(3.0 + 3e-9, 1.0) && is_near(-3.0 - 3e-9, -1.0));
-        assert!(!is_near(3.0 + 1e-8, 1.0) && !is_near(3.0, -1.0));
-        let not_given = Sample { question: 0, expected: vec![Some(known)], found: vec![None], kink: None };
-        assert!(!super::is_near(&not_given, 0, 0, 1.0));
-    }
 
     #[test]
     fn a_matrix_is_transposed_where_it_stands() {

@@ -4,8 +4,8 @@ use super::super::answer::Answer;
 use super::super::map::names;
 use super::super::question::{Own, other_order};
 use super::super::verdict::{Court, Verdict};
-use super::evidence::LEAST;
 use super::factors::list;
+use super::sample::LEAST;
 use jointproof::toolkit::verify::Judge;
 use std::collections::BTreeSet;
 

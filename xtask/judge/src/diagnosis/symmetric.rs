@@ -8,18 +8,30 @@
 //! unit vectors, often a single one for the second node, and only the program knows the triad from which it measures.
 //! Fitting θ to its answers would use three free numbers per point, whereas all the other mistakes tried have none.
 
-use super::evidence::{Evidence, Sample};
+use super::model::Map;
 use super::permuted::transpose;
+use super::sample::Evidence;
 use crate::question::sizes;
 use jointproof::formula::Field;
-use jointproof::toolkit::verify::Known;
 
-/// The blocks whose symmetric parts explain these numbers, in words.
-pub(super) fn cause(evidence: &Evidence<'_>, off: &[usize]) -> Option<String> {
+/// The symmetric parts of each block, and of all, with words for them.
+pub(super) fn parts(evidence: &Evidence<'_>) -> Vec<(String, Map)> {
+    let m = sizes(evidence.court.formula)[1];
     let blocks = blocks(evidence.court.formula.outputs());
-    let which = blocks.chunks(1).chain([blocks.as_slice()]).find(|blocks| explains(evidence, off, blocks))?;
-    let names: Vec<_> = which.iter().map(|(name, _)| *name).collect();
-    Some(format!("by rotation vectors, not by spins: the symmetric part of {}", names.join(", ")))
+    let all = Some(blocks.as_slice()).filter(|blocks| blocks.len() > 1);
+    let part = |blocks: &[(&str, usize)]| {
+        let mut mirrored: Vec<_> = (0..evidence.names.len()).collect();
+        // As many derivatives as there are inputs, or none.
+        let derivatives = (mirrored.len() - m) / m;
+        for (_, first) in blocks {
+            transpose(&mut mirrored, *first, [m, derivatives]);
+        }
+        let halves = mirrored.iter().enumerate().filter(|(place, other)| place != *other);
+        let map = halves.map(|(place, &other)| (place, vec![(place, 0.5), (other, 0.5)])).collect();
+        let names: Vec<_> = blocks.iter().map(|(name, _)| *name).collect();
+        (format!("by rotation vectors, not by spins: the symmetric part of {}", names.join(", ")), map)
+    };
+    blocks.chunks(1).chain(all).map(part).collect()
 }
 
 /// The blocks of a node's own spin: their names and first indices.
@@ -38,24 +50,4 @@ fn blocks(outputs: &'static [Field]) -> Vec<(&'static str, usize)> {
         first += output.len();
     }
     blocks
-}
-
-/// Whether all numbers of the part, wrong or right, are those obtained with the symmetric parts of these blocks.
-fn explains(evidence: &Evidence<'_>, off: &[usize], blocks: &[(&str, usize)]) -> bool {
-    let m = sizes(evidence.court.formula)[1];
-    let mut mirrored: Vec<_> = (0..evidence.names.len()).collect();
-    // As many derivatives as there are inputs, or none.
-    let derivatives = (mirrored.len() - m) / m;
-    for (_, first) in blocks {
-        transpose(&mut mirrored, *first, [m, derivatives]);
-    }
-    let half = |sample: &Sample, place: usize| {
-        let pair = [sample.expected[place]?, sample.expected[mirrored[place]]?];
-        Some(Known::combined(pair.into_iter().map(|known| (known, 0.5))))
-    };
-    let is_touched = |place: usize| mirrored[place] != place;
-    off.iter().all(|&place| is_touched(place))
-        && evidence.parts().into_iter().filter(|part| off.iter().any(|place| part.contains(place))).all(|part| {
-            part.filter(|&place| is_touched(place)).all(|place| evidence.is_always(place, |sample| half(sample, place)))
-        })
 }

@@ -64,6 +64,17 @@ fn text(graph: &Graph, inputs: &[Field], node: Node, depth: usize, tight: bool) 
     }
 }
 
+/// A number in a few digits, where these are all that it has.
+pub(super) fn short(x: f64) -> String {
+    let text = format!("{x:.9}");
+    let short = text.trim_end_matches('0').trim_end_matches('.');
+    if (short.parse::<f64>().unwrap_or(f64::NAN) - x).abs() <= 1e-8 * x.abs() {
+        short.to_owned()
+    } else {
+        format!("{x:e}")
+    }
+}
+
 /// The name of a component of the inputs.
 pub(super) fn component(inputs: &[Field], mut k: usize) -> String {
     for field in inputs {

@@ -13,6 +13,7 @@ use jointproof::catalog::AnyFormula;
 use jointproof::toolkit::verify::Options;
 use jointproof::toolkit::verify::golden::components;
 use judge::{Bounds, Court, Question, Wanted, of_points, questions};
+use serde_json::{Value, json};
 use std::path::PathBuf;
 use std::time::Duration;
 
@@ -20,11 +21,15 @@ use std::time::Duration;
 ///
 /// The program reads lines from standard input and answers each with one line. An input line has the inputs as numbers, in
 /// the order of the formula's entry. The answer has the outputs, then the Jacobian row by row, or `refuse`; `-` stands for a
-/// number that is not computed. Every answer must be flushed. Each number is judged by its backward error η against 237 bits,
-/// within the bounds of the formula.
+/// number that is not computed. Every answer must be flushed.
 ///
-/// The inputs are golden cases, points on and next to kinks, random points and invalid inputs; then all of them again in
-/// another order. An error is named if one known mistake explains all results.
+/// The verdict has parts, and none hides another: whether it is the same function, at points of ordinary sizes; how accurate it
+/// is, in digits lost; up to which sizes it works; what it does on kinks, where any one-sided derivative is right; and what it
+/// does with inputs that are not allowed. The program is right, and the exit code 0, if it is the same function, also on kinks.
+/// Limits are listed; --strict asks for our bounds at all sizes, our convention on kinks, and refusals.
+///
+/// The inputs are golden cases, points on and next to kinks, random points, a ladder of sizes and invalid inputs; then all of them
+/// again in another order. Mistakes are named if one or two known ones explain the answers.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   {command} check --formula {formula} -- ./mine                     value and Jacobian
@@ -88,7 +93,10 @@ pub(crate) struct Arguments {
     /// Time limit of an answer; four times this for the first one
     #[arg(long, value_name = "SECONDS", default_value_t = 10.0)]
     limit: f64,
-    /// Bounds of η instead of the formula's own: for the value, and for the Jacobian
+    /// Ask for our bounds at all sizes, our convention on kinks, and refusals of what is not allowed
+    #[arg(long)]
+    strict: bool,
+    /// Bounds of η instead of the formula's own: for the value, and for the Jacobian; they are asked for as with --strict
     #[arg(long, value_name = "BOUND", num_args = 1..=2, value_delimiter = ',')]
     eta: Vec<f64>,
     /// Do not send invalid inputs
@@ -110,6 +118,8 @@ enum Format {
     /// For a terminal
     #[default]
     Text,
+    /// The parts of the verdict as JSON
+    Json,
     /// Workflow commands: an annotation in a pull request, and the step's summary
     Github,
     /// SARIF 2.1.0, to be uploaded
@@ -187,7 +197,13 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
         [value, jacobian, ..] => Bounds { value, jacobian },
         [] => Bounds::of(formula),
     };
-    let court = Court { formula, wanted: arguments.wanted(formula), bounds, questions: &questions };
+    let court = Court {
+        formula,
+        wanted: arguments.wanted(formula),
+        bounds,
+        questions: &questions,
+        is_strict: arguments.strict || !arguments.eta.is_empty(),
+    };
     let manner = Manner {
         program: &arguments.program,
         wanted: arguments.wanted(formula),
@@ -198,18 +214,23 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     let (answers, heard) = match listen(formula, &manner, &questions)? {
         Ok(heard) => heard,
         Err(why) => {
-            print(&written(arguments, &court.silent(&arguments.program, &why), "it does not answer", false)?)?;
+            let silent = json!({ "formula": arguments.formula, "right": false, "causes": [why] });
+            let text = court.silent(&arguments.program, &why);
+            print(&written(arguments, &text, &silent, "it does not answer", false)?)?;
             return Ok(verdict(false));
         }
     };
     let judged = court.judged(&arguments.program, &answers, &heard);
     let claim = judged.causes.first().map_or("its answers are those of the formula", String::as_str);
-    print(&written(arguments, &judged.text, claim, judged.is_well())?)?;
+    print(&written(arguments, &judged.text, &judged.json, claim, judged.is_well())?)?;
     Ok(verdict(judged.is_well()))
 }
 
 /// The result in the requested format; if all is well there is no finding.
-fn written(arguments: &Arguments, text: &str, claim: &str, is_well: bool) -> anyhow::Result<String> {
+fn written(arguments: &Arguments, text: &str, json: &Value, claim: &str, is_well: bool) -> anyhow::Result<String> {
+    if arguments.format == Format::Json {
+        return Ok(serde_json::to_string_pretty(json)? + "\n");
+    }
     let Some(place) = arguments.at.clone().filter(|_| arguments.format != Format::Text) else {
         return Ok(text.to_owned());
     };
@@ -219,7 +240,7 @@ fn written(arguments: &Arguments, text: &str, claim: &str, is_well: bool) -> any
     match arguments.format {
         Format::Sarif => sarif(&findings),
         Format::Rdjson => rdjson(&findings),
-        Format::Text | Format::Github => {
+        Format::Text | Format::Json | Format::Github => {
             let first = text.lines().next().unwrap_or_default();
             let fenced =
                 findings.iter().map(|finding| format!("```text\n{}```\n", finding.message)).collect::<Vec<_>>();

@@ -2,6 +2,7 @@
 
 import html
 import inspect
+import warnings
 
 import numpy as np
 
@@ -11,16 +12,20 @@ _COLOURS = {"right": "#cfe8cf", "inaccurate": "#f6e3a1", "wrong": "#f0b4ae"}
 
 
 class Checked:
-    """What a function is worth: ``is_well`` says whether nothing is to be mended, ``text`` has everything that was found,
-    ``causes`` what explains it, and ``numbers`` every output and every entry of the Jacobian, with its ``name``, its ``grade``
-    (right, inaccurate, wrong), ``checked``, ``off``, ``bound``, and the ``worst`` η, with what was found and what is exact at
-    ``inputs``. It prints as text, and a notebook shows the map of entries."""
+    """What a function is worth. ``is_well`` says whether it is the formula: the same function at ordinary points, and right on kinks;
+    if it was judged strictly, within our bounds at all sizes. ``parts`` are the parts of the verdict in order, each with its
+    ``title``, its ``conclusion`` (right, limited, wrong, not asked), how many points are ``right`` of how many (``of``), what
+    it ``says``, ``details``, and the simplest ``point`` that is not right; ``causes`` has the mistakes that explain what is wrong,
+    ``text`` everything, and ``numbers`` every output and every entry of the Jacobian, with its ``name``, its ``grade`` (right,
+    inaccurate, wrong), how often it was ``checked`` at ordinary points and ``off`` there, its ``bound``, and the ``worst`` η, with what
+    was found and what is exact at ``inputs``. It prints as text, and a notebook shows the parts and the map of entries."""
 
     def __init__(self, formula, judged):
         self.formula = formula.id
         self.is_well = judged.is_well
         self.text = judged.text
         self.causes = judged.causes
+        self.parts = judged.parts
         self.numbers = judged.numbers
         self._formula = formula
 
@@ -32,34 +37,40 @@ class Checked:
 
     def _repr_html_(self):
         causes = "".join(f"<li>{html.escape(cause)}</li>" for cause in self.causes)
-        verdict = "nothing is to be mended" if self.is_well else "something is to be mended"
+        rows = "".join(
+            f"<tr><td>{html.escape(part.title)}</td><td>{html.escape(part.says)}</td></tr>" for part in self.parts
+        )
         return (
-            f"<h4>{html.escape(self.formula)}: {verdict}</h4>"
+            f"<h4>{html.escape(self.formula)}: {'right' if self.is_well else 'not right'}</h4><table>{rows}</table>"
             f"{f'<ul>{causes}</ul>' if causes else ''}{self._map()}"
             f"<details><summary>everything</summary><pre>{html.escape(self.text)}</pre></details>"
         )
 
     def _map(self):
-        """A row for every output: its value, then its derivatives, coloured by their grades."""
+        """A row for every output: its value, then its derivatives, coloured by their grades, with the share of ordinary points at
+        which each is another number."""
         m, n = self._formula.m, self._formula.n
         values, entries = self.numbers[:m], self.numbers[m:]
         rows = []
         for k, value in enumerate(values):
             cells = [_cell(number) for number in [value, *entries[k * n : k * n + n if entries else k * n]]]
             rows.append(f"<tr>{''.join(cells)}</tr>")
-        return f"<table>{''.join(rows)}</table>"
+        named = {"right": "right", "inaccurate": "right with limits", "wrong": "wrong, with the share of ordinary points"}
+        legend = " ".join(f'<span style="background:{_COLOURS[grade]};color:#222">{named[grade]}</span>' for grade in _COLOURS)
+        return f"<table>{''.join(rows)}</table><p>{legend}</p>"
 
 
 def _cell(number):
-    title = f"{number.name}: {number.grade}, {number.off} of {number.checked} beyond {number.bound:g}"
+    title = f"{number.name}: {number.grade}, another number at {number.off} of {number.checked} ordinary points"
     if number.worst is not None:
         eta, found, exact = number.worst
-        title += f"; η {eta:.2g}: {found!r} for {exact!r} at {number.inputs}"
+        title += f"; η {eta:.2g} (bound {number.bound:g}): {found!r} for {exact!r} at {number.inputs}"
+    share = f" {number.off}/{number.checked}" if number.off else ""
     colour = _COLOURS[number.grade]
-    return f'<td style="background:{colour};color:#222" title="{html.escape(title)}">{html.escape(number.name)}</td>'
+    return f'<td style="background:{colour};color:#222" title="{html.escape(title)}">{html.escape(number.name + share)}</td>'
 
 
-def check(formula, function, jacobian=None, *, samples=None, seed=None, invalid=True, vectorized=False):
+def check(formula, function, jacobian=None, *, samples=None, seed=None, invalid=True, vectorized=False, strict=False):
     """Judges a function that computes a formula: at golden points, on kinks and beside them, and at random, each twice.
 
     ``function`` is called with the inputs by name, if its parameters have the names of the formula's inputs, else by place, in
@@ -72,6 +83,9 @@ def check(formula, function, jacobian=None, *, samples=None, seed=None, invalid=
 
     Inputs that the formula refuses are asked for too, unless ``invalid`` is false: a function refuses them by a ValueError or an
     ArithmeticError, or by NaN or infinity. A NotImplementedError leaves a point out.
+
+    A function is right if it is the formula at ordinary points and on kinks, where any one-sided derivative is right; its limits are
+    listed. With ``strict`` our bounds are asked for at all sizes, our convention on kinks, and refusals of what is not allowed.
 
     With ``vectorized`` the function is called with all points at once, which are the first axis of all arrays, also of those
     that it returns; it refuses by NaN.
@@ -88,7 +102,7 @@ def check(formula, function, jacobian=None, *, samples=None, seed=None, invalid=
     for place, answer in zip(order, ask(formula, asked, points[order])):
         second[place] = answer
     name = getattr(function, "__name__", type(function).__name__)
-    return Checked(formula, called.judge(name, first, second))
+    return Checked(formula, called.judge(name, first, second, strict))
 
 
 def _asked(formula, function, jacobian):
@@ -101,6 +115,8 @@ def _asked(formula, function, jacobian):
     if jacobian == "jax":
         import jax
 
+        if not jax.config.jax_enable_x64:
+            warnings.warn("jax computes with 32 bits: jax.config.update('jax_enable_x64', True) is missing", stacklevel=3)
         derived = jax.jacfwd(lambda *inputs: _outputs(formula, function(inputs)), argnums=tuple(range(len(formula.inputs))))
         return lambda inputs: (function(inputs), derived(*inputs))
     derivatives = _by_name_or_place(formula, jacobian)
