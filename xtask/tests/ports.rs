@@ -88,12 +88,12 @@ impl Port {
             match (line.strip_prefix("- "), line.strip_prefix("+ ")) {
                 (Some(from), _) if last == '-' => {
                     let [text, _] = edits.last_mut().unwrap().replacements.last_mut().unwrap();
-                    *text += &format!("\n{from}");
+                    text.extend(["\n", from]);
                 }
                 (Some(from), _) => edits.last_mut().unwrap().replacements.push([from.to_owned(), String::new()]),
                 (_, Some(to)) => {
                     let [_, text] = edits.last_mut().unwrap().replacements.last_mut().unwrap();
-                    *text += &if last == '+' { format!("\n{to}") } else { to.to_owned() };
+                    text.extend([if last == '+' { "\n" } else { "" }, to]);
                 }
                 _ => {
                     let (name, words) = line.split_once(" | ").unwrap_or_else(|| panic!("{}: {line}", self.file));

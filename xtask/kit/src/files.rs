@@ -110,7 +110,7 @@ mod tests {
         assert_eq!(std::fs::read_to_string(&path).unwrap(), "two");
         assert_eq!(std::fs::read_dir(root.path().join("a")).unwrap().count(), 1);
         // A file that cannot be written is left unchanged.
-        let refused = write_with(&path, |_| anyhow::bail!("no more")).unwrap_err();
+        let refused = write_with(&path, |_| -> anyhow::Result<()> { anyhow::bail!("no more") }).unwrap_err();
         assert_eq!(format!("{refused:#}"), format!("cannot write {}: no more", path.display()));
         assert_eq!(std::fs::read_to_string(&path).unwrap(), "two");
     }

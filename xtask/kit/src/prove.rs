@@ -319,7 +319,7 @@ mod tests {
                         assert!(negative.is_err(), "{id}: a negative amount");
                         let other = with(&|of| of.steps[step].0 = Rule::Angle(node));
                         assert!(other.is_err(), "{id}: a rule that is not there");
-                        for verdict in [with(&|of| drop(of.steps.remove(step))), with(&|of| of.steps[step].1 /= 2)] {
+                        for verdict in [with(&|of| _ = of.steps.remove(step)), with(&|of| of.steps[step].1 /= 2)] {
                             if verdict.is_err() { refused += 1 } else { harmless += 1 }
                         }
                     }

@@ -41,6 +41,7 @@ use std::time::{Duration, Instant};
   {command} scene --generate 10000 > many.json       a scene to measure with
   {command} scene --generate 100 --columns a.npz > a.json    another, its numbers as arrays
   {command} scene --benchmark                        what an element costs per state")]
+#[expect(clippy::struct_excessive_bools, reason = "each is a switch of the command line")]
 pub(crate) struct Arguments {
     /// Scene files; `-` is standard input
     #[arg(value_name = "FILE", required_unless_present_any = ["generate", "benchmark"])]

@@ -47,7 +47,7 @@ fn planted(files: &[(&str, &str)]) -> TempDir {
         // Families stand above what is common to them.
         names.sort_by_key(|name| (name != "formula", name != "toolkit", name.clone()));
         names.dedup();
-        let rows: String = names.iter().map(|name| format!("| `{name}` | what it is |\n")).collect();
+        let rows = names.iter().map(|name| format!("| `{name}` | what it is |\n")).collect::<Vec<_>>().concat();
         fs::write(root.path().join("ARCHITECTURE.md"), format!("# Folders of `src`\n\n{rows}\n# Crates\n\n`tool`\n"))
             .unwrap();
     }

@@ -242,11 +242,12 @@ impl Form {
             let seeded: Vec<_> = inputs.iter().enumerate().map(|(k, &x)| seed(x, few, k)).collect();
             // Without friction there is no state.
             let after: Vec<_> = (0..states)
-                .map(|k| match self.rubs {
-                    true => sweep(values[first_after + k], |d| {
-                        along(first_after + k, few.get(d).map_or(&[], Vec::as_slice))
-                    }),
-                    false => Sweep::from_re(Octuple::zero()),
+                .map(|k| {
+                    if !self.rubs {
+                        return Sweep::from_re(Octuple::zero());
+                    }
+                    let none: &[_] = &[];
+                    sweep(values[first_after + k], |d| along(first_after + k, few.get(d).map_or(none, Vec::as_slice)))
                 })
                 .collect();
             let frictions = if self.rubs { (self.rubbed)(&seeded, &after) } else { Vec::new() };
