@@ -66,10 +66,11 @@ fn every_element_is_recorded_and_gives_its_own_bits() {
         // A contact computes the pressure of an open place too, and leaves it out.
         let shows = by_rows_in_words(&by_rows) != "\n" || element.layout().multipliers.is_empty();
         assert!(shows, "{id}, friction {rubs}: where a number is NaN, a result is");
-        let mut compared = 0;
+        let (mut compared, mut valid) = (0, 0);
         for case in common::golden_of_element(*element).cases {
             let Ok(inputs) = components(element.inputs(rubs), &case.inputs) else { continue };
             let Ok(value) = element.value(&inputs, rubs) else { continue };
+            valid += 1;
             assert_eq!(bits(&alone.run(&inputs).0, &[]), bits(&value, &[]), "{id} at {inputs:?}");
             let found = by_rows.run(&inputs).0;
             if found.iter().all(|x| x.is_finite()) {
@@ -77,7 +78,7 @@ fn every_element_is_recorded_and_gives_its_own_bits() {
                 assert_eq!(bits(&found, &[]), bits(&value, &[]), "{id} at {inputs:?}");
             }
         }
-        assert!(compared > 10, "{id}, friction {rubs}: {compared} points");
+        assert!(compared > valid / 2 && valid > 5, "{id}, friction {rubs}: {compared} of {valid} points");
     }
 }
 

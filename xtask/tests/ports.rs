@@ -4,7 +4,7 @@
 //! The programs are in `tests/ports`, each with a list of edits: a name, words of which a cause has to contain one, and texts of
 //! the program with what stands there instead.
 
-use crate::common::{Bench, is_here};
+use crate::common::{Bench, all_mistakes, is_here};
 use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -179,6 +179,9 @@ fn said_of(edits: &[&Edit], code: i32, said: &str) -> Said {
     }
 }
 
+/// One of so many mistakes is planted where not all are wanted.
+const SOME: usize = 6;
+
 /// The counts of what was said about all mistakes of a port, or about pairs of them, and a line for each that is not named.
 fn count(port: &Port, pairs: bool) -> ([usize; 4], String) {
     let (text, edits) = (port.text(), port.edits());
@@ -189,6 +192,9 @@ fn count(port: &Port, pairs: bool) -> ([usize; 4], String) {
     } else {
         edits.iter().map(|edit| vec![edit]).collect()
     };
+    // Some of them where not all are wanted, other ones of each port.
+    let (first, every) = if all_mistakes() { (0, 1) } else { (port.file.len() % SOME, SOME) };
+    let all: Vec<_> = all.into_iter().skip(first).step_by(every).collect();
     let (mut counts, mut rest) = ([0; 4], String::new());
     let bench = Bench::new();
     for (k, edits) in all.iter().enumerate() {

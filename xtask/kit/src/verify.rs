@@ -13,7 +13,7 @@ use jointproof::toolkit::verify::{Audit, Options};
 use judge::audited;
 use std::time::{Duration, Instant};
 
-/// Check everything: completeness, golden files, proved bounds, audit, statements, chapters, book
+/// Check everything: golden files, proved bounds, audit, statements, chapters, book
 ///
 /// A formula of which this very program has found already that every claim holds is not audited again: it would find the same.
 #[derive(clap::Args)]

@@ -41,7 +41,7 @@ use tree::Tree;
 
 pub(crate) use reach::reach;
 
-/// Check the sources: circular imports, layers, papers, typed identifiers, inlining, lengths, tests
+/// Check the sources: circular imports, layers, papers, identifiers, lengths, tests
 ///
 /// Circular imports between files or folders are not allowed, direct or indirect. An import is a `use` or a path in code that
 /// names something of another file, followed through re-exports to the file that defines it; tests do not count. In each
