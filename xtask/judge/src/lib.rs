@@ -10,6 +10,7 @@ mod diagnosis;
 pub mod examination;
 mod judgement;
 mod map;
+pub mod mathematics;
 mod parts;
 mod question;
 mod report;

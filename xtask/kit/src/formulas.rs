@@ -1,13 +1,13 @@
 //! `formulas`: lists the formulas.
 
 use crate::console::{bold, show};
-use crate::mathematics::as_text;
 use crate::outcome::{Outcome, verdict};
 use crate::project::Project;
 use crate::prove;
 use crate::selection::Selection;
 use jointproof::catalog::AnyFormula;
 use jointproof::formula::Field;
+use judge::mathematics::as_text;
 use std::io::{IsTerminal, stdout};
 
 /// List the formulas, or show them in full

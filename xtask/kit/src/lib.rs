@@ -29,7 +29,6 @@ mod extension;
 pub mod files;
 mod formulas;
 mod golden;
-mod mathematics;
 mod missing;
 mod new;
 mod outcome;

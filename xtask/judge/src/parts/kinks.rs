@@ -3,6 +3,7 @@
 use super::{Deviations, OTHER, Part, Standing, of_points};
 use crate::answer::Answer;
 use crate::console::count;
+use crate::mathematics::as_text;
 use crate::question::{Kind, Wanted, sizes};
 use crate::scale::scales;
 use crate::verdict::{Court, Grade};
@@ -90,12 +91,16 @@ impl Court<'_> {
         };
         let mut details = Vec::new();
         let of_nan = |(condition, times): (&&str, &usize)| {
-            format!("NaN on the kink {condition} ({}): 0/0 without a branch of its own", count(*times, "point"))
+            format!(
+                "NaN on the kink {} ({}): 0/0 without a branch of its own",
+                as_text(condition),
+                count(*times, "point")
+            )
         };
         let causes = nan.iter().map(of_nan).collect();
         for condition in sides.keys() {
             let side = self.side(condition, answers, questions);
-            details.push(format!("on the kink {condition} it takes {side}; the formula takes another one"));
+            details.push(format!("on the kink {} it takes {side}; the formula takes another one", as_text(condition)));
         }
         let point = self.simplest(if wrong.is_empty() { &other_side } else { &wrong });
         if let Some(k) = point {

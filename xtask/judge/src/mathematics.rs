@@ -1,10 +1,10 @@
-//! Mathematics as text for a terminal: `\tfrac12\,\lvert f_1\rvert` as `1/2 |f₁|`.
+//! Mathematics as text: `\tfrac12\,\lvert f_1\rvert` as `1/2 |f₁|`.
 
 use std::iter::Peekable;
 use std::str::Chars;
 
 /// LaTeX as text. What is unknown stays as it is.
-pub(crate) fn as_text(latex: &str) -> String {
+pub fn as_text(latex: &str) -> String {
     let text = converted(&mut latex.chars().peekable(), None);
     let lines = text.lines().map(|line| line.split_whitespace().collect::<Vec<_>>().join(" "));
     lines.collect::<Vec<_>>().join("\n").replace("( ", "(").replace(" )", ")").replace(" ,", ",")
