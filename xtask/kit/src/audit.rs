@@ -40,7 +40,7 @@ use std::time::Duration;
   {command} audit --format github                in a workflow: annotations
   {command} audit --samples 1000000 --shard 3/16 > 3.json  on one of sixteen machines
   {command} audit --merge *.json                 their results together
-  {command} audit --attack 60                    a minute for each formula, to refute its bounds
+  {command} audit --attack 60                    refute bounds, a minute each
   {command} audit --filter {formula} --point '{point}'")]
 pub(crate) struct Arguments {
     #[command(flatten)]

@@ -21,7 +21,7 @@ pub fn print(text: &str) -> anyhow::Result<()> {
 /// Writes a result that a person reads: on a terminal, lines end at its width.
 ///
 /// # Errors
-/// As of [`print`].
+/// As of [`print()`].
 pub fn show(text: &str) -> anyhow::Result<()> {
     print(&fitted(text, width(stdout().is_terminal())))
 }
