@@ -4,6 +4,7 @@ use super::derivative::rotation;
 use super::driver::abi;
 use super::line::{self, Digits};
 use super::peer::{Peer, Replies, Reply};
+use super::random::Random;
 use crate::console::{bold, count, green, print, red};
 use crate::outcome::{Outcome, Usage, verdict};
 use crate::project::Project;
@@ -188,25 +189,6 @@ impl Mapping {
     }
 }
 
-/// Numbers from -1 to 1, the same in every run.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> f64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        #[expect(clippy::cast_precision_loss, reason = "32 bits are enough")]
-        let part = (self.0 >> 32) as f64 / f64::from(u32::MAX);
-        2.0 * part - 1.0
-    }
-
-    fn below(&mut self, count: usize) -> usize {
-        self.next();
-        usize::try_from(self.0 >> 40).unwrap_or_default() % count
-    }
-}
-
 /// A point with what is expected there, and how far rounding may lead from it.
 struct Point {
     name: String,
@@ -216,7 +198,7 @@ struct Point {
 }
 
 fn points(element: &dyn AnyElement, mapping: &Mapping) -> Vec<Point> {
-    let mut random = Random(0x9E37_79B9_7F4A_7C15);
+    let mut random = Random::new();
     let nodes = len(mapping.layout.nodes);
     let is_position =
         |k: usize| k >= nodes || mapping.positions.iter().any(|&from| (from..from + mapping.mcrd).contains(&k));
@@ -314,8 +296,8 @@ fn text(element: &dyn AnyElement) -> String {
         ("nsvars", &nsvars),
         ("nprops", &nprops),
     ];
-    let template = include_str!("driver/abi/uel_element.f90").to_owned();
-    let template = values.iter().fold(template, |text, (name, value)| text.replace(&format!("{{{name}}}"), value));
+    let template = abi::filled(include_str!("driver/abi/uel_element.f90"), abi::ELEMENT);
+    let template = abi::filled(&template, &values);
     let is_note = |line: &str| line.starts_with("! ") && line.len() > WIDTH;
     let lines = template.lines().map(|line| if is_note(line) { wrapped(line) } else { line.to_owned() });
     let template = lines.collect::<Vec<_>>().join("\n");

@@ -10,5 +10,6 @@ mod line;
 mod listen;
 mod peer;
 mod process;
+mod random;
 
 pub(crate) use command::{Arguments, run};

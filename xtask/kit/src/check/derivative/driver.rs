@@ -1,6 +1,6 @@
 //! Programs that call a routine at the states asked for.
 
-use super::super::driver::abi::around;
+use super::super::driver::abi::{around, filled};
 use super::spec::{Routine, Spec};
 use crate::outcome::Usage;
 
@@ -49,8 +49,8 @@ pub(super) fn text(spec: &Spec) -> Result<(&'static str, String), Usage> {
         ("jtype", spec.jtype.to_string()),
         ("dtime", format!("{:e}_dp", spec.dtime)),
     ];
-    let template =
-        values.iter().fold(template.to_owned(), |text, (name, value)| text.replace(&format!("{{{name}}}"), value));
+    let values: Vec<_> = values.iter().map(|(name, value)| (*name, value.as_str())).collect();
+    let template = filled(template, &values);
     let name = if spec.routine == Routine::Fric { "fric" } else { "uel" };
     let sizes = [spec.at.len(), spec.outputs()];
     Ok((name, around(routine, &template, sizes, "check --derivative FILE")))

@@ -1,5 +1,6 @@
 //! The states at which a derivative is compared, and the points around each.
 
+use super::super::random::Random;
 use super::quotients::{FIRST, STEPS};
 use super::spec::{Routine, Spec, Turning};
 
@@ -15,7 +16,7 @@ const AROUND: [f64; 6] = [0.01, 0.03, 0.1, 0.01, 0.03, 0.1];
 /// The given state, states around it, and for an element that at rest.
 pub(super) fn states(spec: &Spec) -> Vec<State> {
     let sizes = spec.sizes();
-    let mut random = Random(0x9E37_79B9_7F4A_7C15);
+    let mut random = Random::new();
     let mut states = vec![State { name: "the given state".into(), x: spec.at.clone() }];
     for (k, &distance) in AROUND.iter().enumerate() {
         let x = spec.at.iter().zip(&sizes).map(|(x, size)| x + distance * size * random.next()).collect();
@@ -25,20 +26,6 @@ pub(super) fn states(spec: &Spec) -> Vec<State> {
         states.push(State { name: "U = 0".into(), x: vec![0.0; spec.at.len()] });
     }
     states
-}
-
-/// Numbers from -1 to 1, the same in every run.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> f64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        #[expect(clippy::cast_precision_loss, reason = "32 bits are enough")]
-        let part = (self.0 >> 32) as f64 / f64::from(u32::MAX);
-        2.0 * part - 1.0
-    }
 }
 
 /// The points on both sides of a state along an input, at every step, with the steps.

@@ -71,6 +71,10 @@ const SPACE: Places = &[
     ),
 ];
 
+/// The call of `MPC`, of `UEL`.
+const CONSTRAIN: Places = &[("constrain", include_str!("abi/mpc_call.f90"))];
+pub(in crate::check) const ELEMENT: Places = &[("element", include_str!("abi/uel_call.f90"))];
+
 /// The quantities computed by an element.
 const FORCES: Places = &[("multiplier", "x(moving + 1:)"), ("rows", "1:moving")];
 const DISTANCES: Places = &[("multiplier", "0.75_dp * most"), ("rows", "moving + 1:ndofel")];
@@ -115,6 +119,10 @@ const TWO_EQUATIONS: Places = &[
     ),
 ];
 
+/// What an `MPC` computes.
+const ELIMINATED: &[(&str, &[Places])] =
+    &[(slider::Eliminate::SPEC.id, &[CONSTRAIN, SPACE]), (slider::Eliminate2d::SPEC.id, &[CONSTRAIN, PLANE])];
+
 impl Abi {
     fn interface(self) -> Interface {
         match self {
@@ -123,16 +131,10 @@ impl Abi {
                 template: include_str!("abi/fric.f90"),
                 computes: &[(coulomb::ReturnMap::SPEC.id, &[]), (coulomb::ReturnMap2d::SPEC.id, &[])],
             },
-            Self::Mpc => Interface {
-                routine: "MPC",
-                template: include_str!("abi/mpc.f90"),
-                computes: &[(slider::Eliminate::SPEC.id, &[SPACE]), (slider::Eliminate2d::SPEC.id, &[PLANE])],
-            },
-            Self::MpcNode => Interface {
-                routine: "MPC",
-                template: include_str!("abi/mpc_node.f90"),
-                computes: &[(slider::Eliminate::SPEC.id, &[SPACE]), (slider::Eliminate2d::SPEC.id, &[PLANE])],
-            },
+            Self::Mpc => Interface { routine: "MPC", template: include_str!("abi/mpc.f90"), computes: ELIMINATED },
+            Self::MpcNode => {
+                Interface { routine: "MPC", template: include_str!("abi/mpc_node.f90"), computes: ELIMINATED }
+            }
             Self::Uinter => Interface {
                 routine: "UINTER",
                 template: include_str!("abi/uinter.f90"),
@@ -150,10 +152,10 @@ impl Abi {
                 routine: "UEL",
                 template: include_str!("abi/uel.f90"),
                 computes: &[
-                    (slider::rows::Forces::SPEC.id, &[FORCES, SPACE]),
-                    (slider::rows_plane::Forces::SPEC.id, &[FORCES, PLANE]),
-                    (slider::Constraint::SPEC.id, &[DISTANCES, SPACE]),
-                    (slider::Constraint2d::SPEC.id, &[DISTANCES, PLANE]),
+                    (slider::rows::Forces::SPEC.id, &[ELEMENT, FORCES, SPACE]),
+                    (slider::rows_plane::Forces::SPEC.id, &[ELEMENT, FORCES, PLANE]),
+                    (slider::Constraint::SPEC.id, &[ELEMENT, DISTANCES, SPACE]),
+                    (slider::Constraint2d::SPEC.id, &[ELEMENT, DISTANCES, PLANE]),
                 ],
             },
             Self::UmpcUser => Interface {
@@ -181,7 +183,7 @@ pub(crate) fn text(abi: Abi, formula: &dyn AnyFormula) -> Result<String, Usage> 
     };
     let asked = format!("check --formula {id} --valid-only");
     let text = around(routine, template, sizes(formula), &asked).replace("{id}", id);
-    Ok(places.iter().copied().flatten().fold(text, |text, (name, what)| filled(&text, name, what)))
+    Ok(places.iter().fold(text, |text, places| filled(&text, places)))
 }
 
 /// The program around a call: a template has notes for its head, a line `---`, and the module with the call.
@@ -189,7 +191,7 @@ pub(in crate::check) fn around(routine: &str, template: &str, [inputs, outputs]:
     let (notes, ask) = template.split_once("\n---\n").expect("a template has notes and a module");
     let file = routine.to_lowercase() + ".f";
     let (inputs, outputs) = (inputs.to_string(), outputs.to_string());
-    let filled_in = [
+    let places = [
         ("notes", notes),
         ("ask", ask),
         ("asked", asked),
@@ -198,7 +200,7 @@ pub(in crate::check) fn around(routine: &str, template: &str, [inputs, outputs]:
         ("inputs", &inputs),
         ("outputs", &outputs),
     ];
-    filled_in.iter().fold(include_str!("abi/answer.f90").to_owned(), |text, (name, what)| filled(&text, name, what))
+    filled(include_str!("abi/answer.f90"), &places)
 }
 
 /// Writes the driver of an interface to a folder, and beside it what routines of Abaqus include and call.
@@ -223,16 +225,20 @@ pub(in crate::check) fn write_text(routine: &str, text: &str, folder: &Path) -> 
     Ok(names.join("\n") + "\n")
 }
 
-/// A template with `{name}` replaced by a text, whose lines are indented like the first.
-fn filled(template: &str, name: &str, what: &str) -> String {
-    let hole = format!("{{{name}}}");
-    let line = |line: &str| match line.split_once(&hole) {
-        Some((indent, "\n")) if indent.trim().is_empty() => {
-            what.lines().flat_map(|line| [indent, line, "\n"]).collect()
-        }
-        _ => line.replace(&hole, what),
+/// A template with each `{name}` replaced by its text, one after the other; where it is alone in a line, all lines of the text
+/// are indented like it.
+pub(in crate::check) fn filled(template: &str, places: &[(&str, &str)]) -> String {
+    let one = |template: String, (name, what): &(&str, &str)| {
+        let hole = format!("{{{name}}}");
+        let line = |line: &str| match line.split_once(&hole) {
+            Some((indent, "\n")) if indent.trim().is_empty() => {
+                what.lines().flat_map(|line| [if line.is_empty() { "" } else { indent }, line, "\n"]).collect()
+            }
+            _ => line.replace(&hole, what),
+        };
+        template.split_inclusive('\n').map(line).collect()
     };
-    template.split_inclusive('\n').map(line).collect()
+    places.iter().fold(template.to_owned(), one)
 }
 
 #[cfg(test)]

@@ -18,7 +18,7 @@ contains
         integer :: axis, k, rows(m), degrees(mdof, n)
         most = maxval(abs(x))
         ! X of m is 0 where the answer must not be rounded.
-        call constrain([(0.0_dp, axis=1, 3)], [(0.5_dp * x(inputs), axis=1, 3)], 1)
+        call constrain(1, [(0.0_dp, axis=1, 3)], [(0.5_dp * x(inputs), axis=1, 3)], 1)
         is_refused = lmpc == 0
         if (is_refused .or. fault /= ' ') return
         rows = 0
@@ -41,7 +41,7 @@ contains
         do axis = 1, 3
             at_m(axis) = 3 * started(0.0_dp, most, 40 + axis)
         end do
-        call constrain(at_m, [(2.5_dp * most, axis=1, 3)], 3)
+        call constrain(1, at_m, [(2.5_dp * most, axis=1, 3)], 3)
         if (is_ordinary .and. any(jdof /= degrees)) then
             call fail('JDOF depends on X and U of node m beyond the coordinate that is kept')
             return
@@ -52,15 +52,6 @@ contains
         call solve(rows, again)
         if (differ([again], [found], maxval(abs(found)))) call fail('A depends on X of node m, or on U that is eliminated')
     end subroutine ask
-
-    ! The axes that are eliminated, and then the one that is kept, as slider.eliminate{_2d} says.
-    function axes(k)
-        integer, intent(in) :: k
-        integer :: axes, in_order(dim)
-        real(dp) :: d(dim)
-        {axes}
-        axes = in_order(k)
-    end function axes
 
     ! The derivatives of what is eliminated: the matrix of the first node need not be the unit matrix.
     subroutine solve(rows, found)
@@ -90,64 +81,5 @@ contains
         if (.not. abs(determinant) > 0) call fail('A(:,:,1) is singular: nothing can be eliminated')
     end subroutine solve
 
-    ! A call with node m at these coordinates at first, and these displacements of what is eliminated.
-    subroutine constrain(at_m, eliminated, kinc)
-        integer, intent(in) :: kinc
-        real(dp), intent(in) :: at_m(3), eliminated(3)
-        integer, parameter :: g = margin, all_a = mdof * mdof * n
-        real(dp) :: a_ue(1 - g:mdof + g), a_a(1 - g:all_a + g), a_x(1 - g:6 * n + g), a_u(1 - g:maxdof * n + g)
-        real(dp) :: x0(6, n), u(maxdof, n), uinit(maxdof, n), time(2), temp(nt, n), field(nf, nt, n), tran(3, 3, n)
-        integer :: a_jdof(1 - g:mdof * n + g), ltran(n), axis, k, kept
-        external :: mpc
-        x0 = 0
-        u = 0
-        kept = axes(dim)
-        do k = 1, n
-            x0(4:6, k) = [0.6_dp, 0.0_dp, 0.8_dp]
-            if (k < 3) then
-                x0(1:dim, k) = at_m(1:dim)
-                u(1:dim, k) = eliminated(1:dim)
-                u(kept, k) = x(inputs) - at_m(kept)
-            else
-                do axis = 1, dim
-                    x0(axis, k) = started(x(behind(k) + axis), maxval(abs(x)), behind(k) + axis)
-                    u(axis, k) = x(behind(k) + axis) - x0(axis, k)
-                end do
-            end if
-        end do
-        u(4:, :) = 0.125_dp
-        uinit = 0.375_dp * u
-        a_ue = guard
-        a_ue(1:mdof) = eliminated(1)
-        a_a = guard
-        a_a(1:all_a) = 0
-        a_jdof = integer_guard
-        a_jdof(1:mdof * n) = 0
-        a_x = guard
-        a_x(1:6 * n) = reshape(x0, [6 * n])
-        a_u = guard
-        a_u(1:maxdof * n) = reshape(u, [maxdof * n])
-        lmpc = 1
-        time = [0.25_dp, 1.25_dp]
-        temp = 20
-        field = 3
-        ltran = 0
-        tran = 0
-        tran(1, 1, :) = 1
-        tran(2, 2, :) = 1
-        tran(3, 3, :) = 1
-        call clear_stack()
-        call mpc(a_ue(1), a_a(1), a_jdof(1), mdof, n, 1, a_x(1), a_u(1), uinit, maxdof, lmpc, 2, kinc, time, nt, nf, temp, &
-            field, ltran, tran)
-        call look_around('UE', a_ue, mdof)
-        call look_around('A', a_a, all_a)
-        call look_around_integers('JDOF', a_jdof, mdof * n)
-        call look_around('X', a_x, 6 * n)
-        call look_around('U', a_u, maxdof * n)
-        call is_kept('X', 6 * n, a_x(1:6 * n), [x0])
-        call is_kept('U', maxdof * n, a_u(1:maxdof * n), [u])
-        ue = a_ue(1:mdof)
-        a = reshape(a_a(1:all_a), [mdof, mdof, n])
-        jdof = reshape(a_jdof(1:mdof * n), [mdof, n])
-    end subroutine constrain
+    {constrain}
 end module driver_call

@@ -12,10 +12,27 @@ module driver_call
     ! What is carried from increment to increment.
     real(dp) :: stress(ndir), statev(nstatv), rdisp(ndir)
     integer :: kinc
+    ! The same at the start of the last increment.
+    real(dp) :: before(ndir), states(nstatv), moved(ndir)
     ! What a call gives besides.
     real(dp) :: ddsddr(ndir, ndir), pnewdt, props(nprops)
 contains
     {problem}
+
+    ! The last increment begins here.
+    subroutine keep()
+        before = stress
+        states = statev
+        moved = rdisp
+    end subroutine keep
+
+    ! It is cut back.
+    subroutine back()
+        stress = before
+        statev = states
+        rdisp = moved
+        kinc = 2
+    end subroutine back
 
     ! A point that has never touched.
     subroutine begin()
@@ -51,13 +68,13 @@ contains
         real(dp) :: a_statev(1 - g:nstatv + g), a_rdisp(1 - g:ndir + g), a_drdisp(1 - g:ndir + g)
         real(dp) :: a_props(1 - g:nprops + g), flux(2), ddfddt(2, 2), sed, sfd, spd, svd, scd, temp(2), dtemp(2)
         real(dp) :: predef(2, npred), dpred(2, npred), time(2), dtime, freqr, coords(mcrd), alocaldir(3, 3), drot(2, 2)
-        real(dp) :: area, chrlngth, moved(ndir), motion(ndir)
+        real(dp) :: area, chrlngth, reached(ndir), motion(ndir)
         integer :: lopenclose, lstate, lsdi, kstep, in_step
         character(len=80) :: ciname, secname, mainname
         external :: uinter
         given = props
         motion = [overclosure - rdisp(1), slip]
-        moved = [overclosure, rdisp(2:) + slip]
+        reached = [overclosure, rdisp(2:) + slip]
         kinc = kinc + 1
         ! The third increment is the first of the second step.
         kstep = merge(2, 1, kinc > 2)
@@ -77,7 +94,7 @@ contains
         a_statev = guard
         a_statev(1:nstatv) = statev
         a_rdisp = guard
-        a_rdisp(1:ndir) = moved
+        a_rdisp(1:ndir) = reached
         a_drdisp = guard
         a_drdisp(1:ndir) = motion
         a_props = guard
@@ -123,7 +140,7 @@ contains
         call look_around('RDISP', a_rdisp, ndir)
         call look_around('DRDISP', a_drdisp, ndir)
         call look_around('PROPS', a_props, nprops)
-        call is_kept('RDISP', ndir, a_rdisp(1:ndir), moved)
+        call is_kept('RDISP', ndir, a_rdisp(1:ndir), reached)
         call is_kept('DRDISP', ndir, a_drdisp(1:ndir), motion)
         call is_kept('PROPS', nprops, a_props(1:nprops), given)
         if (.not. pnewdt > 0) call fail('PNEWDT is not above 0')
@@ -131,6 +148,6 @@ contains
         stress = a_stress(1:ndir)
         statev = a_statev(1:nstatv)
         ddsddr = reshape(a_ddr(1:ndir**2), [ndir, ndir])
-        rdisp = moved
+        rdisp = reached
     end subroutine increment
 end module driver_call

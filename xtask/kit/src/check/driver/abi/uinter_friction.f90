@@ -1,5 +1,5 @@
 subroutine ask()
-    real(dp) :: trial(outputs), most, start(outputs), before(ndir), moved(ndir), states(nstatv), slip(outputs), high
+    real(dp) :: trial(outputs), most, start(outputs), slip(outputs), high
     real(dp) :: by_motion(ndir, ndir), stiffness, of_pressure, press
     integer :: k
     trial = x(1:outputs)
@@ -23,9 +23,7 @@ subroutine ask()
         end if
         if (differ(stress(1:1), [high], high)) call fail('STRESS(1) is not PROPS(1) RDISP(1)')
     end if
-    before = stress
-    states = statev
-    moved = rdisp
+    call keep()
     slip = (trial - stress(2:)) / stiffness
     call increment(2 * press / of_pressure, -3 * slip + 1 / stiffness)
     call elsewhere()
@@ -52,11 +50,4 @@ subroutine ask()
     if (differ(stress(2:), y, maxval(abs(y))) .or. differ([ddsddr], [by_motion], maxval(abs(by_motion)))) then
         call fail('STRESS or DDSDDR of an increment that is repeated differs')
     end if
-contains
-    subroutine back()
-        stress = before
-        statev = states
-        rdisp = moved
-        kinc = 2
-    end subroutine back
 end subroutine ask

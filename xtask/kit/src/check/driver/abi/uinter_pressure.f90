@@ -1,13 +1,11 @@
 subroutine ask()
-    real(dp) :: before(ndir), moved(ndir), states(nstatv), other
+    real(dp) :: other
     {set}
     call begin()
     other = x(1) / 4
     if (drawn(1, 2) == 1) other = 2 * abs(x(1)) * 0.75_dp
     call increment(other, [0.0_dp])
-    before = stress
-    states = statev
-    moved = rdisp
+    call keep()
     call increment(-x(1) / 2, [0.25_dp * x(1)])
     call elsewhere()
     call back()
@@ -24,11 +22,4 @@ subroutine ask()
     if (differ(stress(1:1), y, abs(y(1))) .or. differ(ddsddr(1:1, 1), jacobian(1, 1:1), abs(jacobian(1, 1)))) then
         call fail('STRESS or DDSDDR of an increment that is repeated differs')
     end if
-contains
-    subroutine back()
-        stress = before
-        statev = states
-        rdisp = moved
-        kinc = 2
-    end subroutine back
 end subroutine ask
