@@ -95,8 +95,12 @@ impl<'s, T: Number> Run<'s, T> {
         let (state, scene, room) = (self.states, self.scene, LISTED.saturating_sub(self.warnings.len()));
         let warning = |(node, angle)| Warning { state, node: scene.nodes.name(node).to_string(), angle };
         self.warnings.extend(unknown.into_iter().take(room).map(warning));
+        if way.parts == 1 {
+            return Vec::new();
+        }
+        let mut between: Cow<'s, Frame> = Cow::Owned(way.between());
         for part in 1..way.parts {
-            let mut between = Cow::Owned(way.after(part, frame));
+            way.turn(part, between.to_mut());
             self.nodes.advance(&mut between);
             let problems = self.evaluate(Some(&between), Group::follows);
             if !problems.is_empty() {

@@ -167,7 +167,7 @@ impl<'s, T: Number> NodeStates<'s, T> {
     }
 
     /// The way of the rotations to a frame, and the nodes for which it is not known; `None` if nothing needs it.
-    pub(super) fn way(&self, frame: &Frame) -> Option<(Way, Vec<(u32, f64)>)> {
+    pub(super) fn way<'f>(&self, frame: &'f Frame) -> Option<(Way<'f>, Vec<(u32, f64)>)> {
         let rotations = self.rotations.as_ref().filter(|_| !frame.turns.of.is_empty())?;
         let before = |&node: &u32| {
             self.turning.binary_search_by_key(&node, |&(node, _)| node).map_or([0.0; 3], |k| rotations[k])

@@ -1,6 +1,6 @@
 //! The rotations of the nodes from one state to the next.
 
-use crate::scene::model::{Changes, Frame};
+use crate::scene::model::Frame;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 use std::fmt;
 
@@ -37,19 +37,18 @@ impl fmt::Display for Warning {
 }
 
 /// Rotation vectors of nodes at two states, between which they are known.
-pub(super) struct Way {
+pub(super) struct Way<'f> {
     /// In how many parts it is followed.
     pub(super) parts: usize,
-    turns: Changes<[f64; 3]>,
     from: Vec<[f64; 3]>,
+    frame: &'f Frame,
 }
 
-impl Way {
+impl<'f> Way<'f> {
     /// From these rotation vectors to those of a frame; and the nodes whose way is not known, with the change.
-    pub(super) fn new(from: Vec<[f64; 3]>, frame: &Frame) -> (Self, Vec<(u32, f64)>) {
+    pub(super) fn new(mut from: Vec<[f64; 3]>, frame: &'f Frame) -> (Self, Vec<(u32, f64)>) {
         let (mut parts, mut unknown) = (1.0_f64, Vec::new());
-        let mut way = Self { parts: 1, turns: frame.turns.clone(), from };
-        for ((from, to), &node) in way.from.iter_mut().zip(&way.turns.to).zip(&*way.turns.of) {
+        for ((from, to), &node) in from.iter_mut().zip(&frame.turns.to).zip(&*frame.turns.of) {
             let [old, new] = [*from, *to].map(nalgebra::Vector3::from);
             let angle = (new - old).norm();
             let is_along = old.cross(&new).norm() <= ALONG * old.norm() * new.norm();
@@ -63,17 +62,22 @@ impl Way {
         }
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "it is between 1 and 1024")]
         let parts = parts as usize;
-        way.parts = parts;
-        (way, unknown)
+        (Self { parts, from, frame }, unknown)
     }
 
-    /// The frame after so many of the parts, with the loads of its end: only nodes turn on the way.
-    pub(super) fn after(&self, part: usize, frame: &Frame) -> Frame {
+    /// A frame for states on the way, with the loads of its end: only nodes turn.
+    pub(super) fn between(&self) -> Frame {
+        let Frame { time, turns, loads, .. } = self.frame;
+        Frame { time: *time, turns: turns.clone(), loads: loads.clone(), ..Frame::default() }
+    }
+
+    /// Turns the nodes in such a frame as far as after so many of the parts.
+    pub(super) fn turn(&self, part: usize, between: &mut Frame) {
         #[expect(clippy::cast_precision_loss, reason = "there are at most 1024")]
         let share = part as f64 / self.parts as f64;
-        let between = |(from, to): (&[f64; 3], &[f64; 3])| std::array::from_fn(|k| from[k] + (to[k] - from[k]) * share);
-        let to = self.from.iter().zip(&self.turns.to).map(between).collect();
-        let turns = Changes { of: self.turns.of.clone(), to };
-        Frame { time: frame.time, turns, loads: frame.loads.clone(), ..Frame::default() }
+        let ends = self.from.iter().zip(&self.frame.turns.to);
+        for (turn, (from, to)) in between.turns.to.iter_mut().zip(ends) {
+            *turn = std::array::from_fn(|k| from[k] + (to[k] - from[k]) * share);
+        }
     }
 }
