@@ -20,7 +20,7 @@ fn a_skeleton_is_written_in_the_places_of_its_neighbours() {
         .prints("golden --filter slot.made_power");
     for (file, expected) in [
         ("src/connector/slot/made_power.rs", "\n#[cfg(feature = \"verify\")]\nmod proof;\n\nuse crate::fields;\n"),
-        ("src/connector/slot/made_power.rs", "Spec::new(\"slot.made_power\", \"\", "),
+        ("src/connector/slot/made_power.rs", "Spec::new(\"slot.made_power\", \"\", Document::SLOT.ours("),
         ("src/connector/slot/made_power/proof.rs", "impl Proved for MadePower {"),
         ("src/connector/slot.rs", "pub use made_power::{MadePower, MadePowerInputs, MadePowerOutputs};\n"),
         ("src/catalog/list.rs", "    &slot::Stop,\n    &slot::MadePower,\n"),

@@ -54,7 +54,8 @@ pub(crate) fn requirements(project: &Project) -> Vec<Requirement> {
         }),
         Requirement::new(
             "source and provenance",
-            "`Document::new(\"…\").link(\"…\")` in `SPEC`, then `.printed`, `.reconstructed` or `.ours`",
+            "in `SPEC`: `Document::new(\"…\").link(\"…\")` or one of its constants, then `.printed(section)`, or \
+             `.reconstructed(section, reason)`, or `.ours(section, reason)`",
             |candidate| {
                 let source = candidate.formula.spec().source;
                 let is_explained = source.provenance == Provenance::Printed || !source.provenance.why().is_empty();

@@ -1,15 +1,26 @@
 //! The texts of a new formula, and the lines added to other files.
 
 /// A template with its placeholders filled, in the style of the neighbours: whether they are in the crate of the
-/// toolkit, and whether their evidence is behind a feature.
+/// toolkit, whether their evidence is behind a feature, and the document that they are from.
 pub(super) fn filled(template: &str, family: &str, name: &str, neighbours: &str) -> String {
     const GATE: &str = "#[cfg(feature = \"verify\")]\n";
     let library = if neighbours.contains("use crate::formula::") { "crate" } else { "jointproof" };
     template
         .replace("{gate}", if neighbours.contains(GATE) { GATE } else { "" })
         .replace("{library}", library)
+        .replace("{document}", document(neighbours).unwrap_or("Document::new(\"\")"))
         .replace("{Name}", &type_name(name))
         .replace("{id}", &format!("{family}.{name}"))
+}
+
+/// The first document that this source text names, as `Document::SLOT`.
+fn document(text: &str) -> Option<&str> {
+    const TYPE: &str = "Document::";
+    let is_of_name = |c: char| c.is_ascii_uppercase() || c.is_ascii_digit() || c == '_';
+    text.match_indices(TYPE).find_map(|(at, _)| {
+        let length = text[at + TYPE.len()..].find(|c| !is_of_name(c))?;
+        (length > 0).then(|| &text[at..at + TYPE.len() + length])
+    })
 }
 
 /// `contact_force` as `ContactForce`.
@@ -117,6 +128,12 @@ mod tests {
             "# A\n{{#formula a.b}}\n\n{{#formula a.c}}\nEnd.\n"
         );
         assert_eq!(with_directive("{{#formula a.b}}", 1, "a.c"), "{{#formula a.b}}\n\n{{#formula a.c}}\n");
+    }
+
+    #[test]
+    fn the_document_is_that_of_the_neighbours() {
+        assert_eq!(document("Document::new(\"\"), Document::SLOT.printed(\"\")"), Some("Document::SLOT"));
+        assert_eq!(document("use formula::Document;"), None);
     }
 
     #[test]

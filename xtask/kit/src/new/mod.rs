@@ -15,8 +15,8 @@ use std::path::{Path, PathBuf};
 
 /// Write the skeleton of a formula into its module, the catalog and the book
 ///
-/// The skeleton compiles, but fails its checks: it has no symbols, no equation, no cases and a wrong derivative. This command,
-/// `golden`, `audit` and `verify` list what is still missing.
+/// The skeleton compiles, but fails its checks: it has no symbols, no equation and no cases. This command, `golden`, `audit`
+/// and `verify` list what is still missing.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   {command} new {family}.power  a new formula in the module src/{family}.rs")]
@@ -44,7 +44,11 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     for requirement in requirements(project).iter().filter(|requirement| requirement.is_of_author) {
         writeln!(report, "    {}: {}", requirement.what, requirement.how(project, id))?;
     }
-    writeln!(report, "    its derivative: `jacobian`, and places where it has none in `Proved::kinks`")?;
+    writeln!(report, "    the points where it has no derivative: `Proved::kinks`")?;
+    writeln!(
+        report,
+        "    if an element or a program will call it: `jacobian`, by hand, and its bound, `.eta` in place of `.eta_of_value`"
+    )?;
     writeln!(report, "\ncargo fmt, then {} audit --filter {id} says what is left", project.command())?;
     print(&report)?;
     Ok(verdict(true))
