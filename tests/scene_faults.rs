@@ -430,7 +430,8 @@ fn a_translator_that_starts_near_a_right_angle_is_refused() {
         assert_eq!(results.is_err(), refused);
         if let Err(problems) = results {
             let said = problems.to_string();
-            assert!(said.contains("initial configuration, scene.angles: beta is -1.57 at the start"), "{said}");
+            let expected = "initial configuration, scene.angles: node \"c\" against node \"a\": beta is -1.57";
+            assert!(said.contains(expected), "{said}");
         }
     }
 }
