@@ -14,7 +14,11 @@ use std::f64::consts::PI;
 
 /// A flat line from (1, 0) to (5, 0), nodes 1 and 2, and an ISL21A with nodes 3 and 4.
 fn flat(interaction: Interaction) -> Contact {
-    let line = SlideLine::new(Interpolation::Linear, [1, 2]).unwrap();
+    on(SlideLine::new(Interpolation::Linear, [1, 2]).unwrap(), interaction)
+}
+
+/// A ring on this line.
+fn on(line: SlideLine, interaction: Interaction) -> Contact {
     Contact::new(line, ElementSet::new("ring", [IslElement::isl21a(10, [3, 4]).unwrap()]).unwrap(), interaction)
 }
 
@@ -315,14 +319,22 @@ fn the_slip_on_curves_is_the_length_of_the_way() {
 }
 
 #[test]
-fn past_the_end_of_the_line_nothing_is_transmitted() {
-    let contact = flat(Interaction::linear(100.0).unwrap().with_friction(0.5, 40.0).unwrap());
-    let start = contact.start(ring(3.75, -0.25)).unwrap();
-    let state = contact.advance(&start, ring(4.25, -0.25), &second()).unwrap();
-    let [inside, outside] = [3, 4].map(|node| state.node(node).unwrap());
-    assert_eq!((inside.s11, outside.s11, outside.s12), (25.0, 0.0, 0.0));
-    assert_eq!(outside.closest.place, Place::Beyond { number: 2, distance: 0.25 });
-    assert_eq!(outside.e11, -0.25);
+fn past_the_extension_of_the_line_nothing_is_transmitted() {
+    let interaction = Interaction::linear(100.0).unwrap().with_friction(0.5, 40.0).unwrap();
+    // The line is 4 long, so that its extension is 0.4 long, or nothing.
+    for (fraction, r, place, expected) in [
+        (SlideLine::EXTENSION, 4.25, Place::Extension { number: 2, distance: 0.25 }, (25.0, 12.5)),
+        (SlideLine::EXTENSION, 4.5, Place::Beyond { number: 2, distance: 0.5 }, (0.0, 0.0)),
+        (0.0, 4.25, Place::Beyond { number: 2, distance: 0.25 }, (0.0, 0.0)),
+    ] {
+        let line = SlideLine::new(Interpolation::Linear, [1, 2]).unwrap().extended(fraction).unwrap();
+        let contact = on(line, interaction);
+        let start = contact.start(ring(3.5, -0.25)).unwrap();
+        let state = contact.advance(&start, ring(r, -0.25), &second()).unwrap();
+        let [inside, outside] = [3, 4].map(|node| state.node(node).unwrap());
+        assert_eq!((inside.s11, outside.e11), (25.0, -0.25));
+        assert_eq!((outside.closest.place, (outside.s11, outside.s12)), (place, expected));
+    }
 }
 
 /// The distance continues along the tangent past either end, with its sign.

@@ -53,7 +53,7 @@ fn every_mistake_is_reported_with_its_place() {
 }"#;
     let found = faults(text);
     let expected = [
-        "colour (line 3, column 3): unknown key \"colour\"; allowed is one of title, dimension, columns, orientations, nodes, slide_lines, elements, frames, outputs",
+        "colour (line 3, column 3): unknown key \"colour\"; allowed is one of title, dimension, angles, columns, orientations, nodes, slide_lines, elements, frames, outputs",
         "nodes.a.at (line 5, column 18): an array of 2; allowed is an array of 3 numbers",
         "nodes.b.at[1] (line 6, column 22): \"NaN\"; allowed is a finite number",
         "nodes.b.orientation (line 6, column 48): no orientation \"none\"; allowed is no orientation, there are none",

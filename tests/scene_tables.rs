@@ -11,7 +11,7 @@ fn scene(text: &str) -> Scene {
 fn model(frames: &str) -> String {
     format!(
         r#"{{"dimension": "3d", "orientations": {{"o": {{"axes": [[4, 3, 0], [-3, 4, 0]]}}}},
-        "nodes": {{"1": {{"at": [0, 0, 0], "orientation": "o"}}, "2": {{"at": [1, 0.75, 0]}}, "PART-1.3": {{"at": [1, 0.75, 0]}}}},
+        "nodes": {{"1": {{"at": [0, 0, 0], "orientation": "o"}}, "2": {{"at": [1, 0.75, 0], "orientation": "o"}}, "PART-1.3": {{"at": [1, 0.75, 0]}}}},
         "elements": {{"tube": {{"kind": "translator", "nodes": ["1", "2"], "mu": 0.25, "k_stick": 1000}},
             "pin": {{"kind": "hinge", "nodes": ["2", "PART-1.3"]}}}},
         {frames} "outputs": ["U1", "UR1", "CSF1", "KF", "GY"]}}"#
