@@ -149,6 +149,41 @@ fn a_node_far_on_the_wrong_side_of_its_line_is_warned_of_once() {
     }
 }
 
+/// The washer ends at r = 5 after a segment of 3; its extension ends at 5.3, or where the scene says.
+#[test]
+fn an_open_line_is_extended_as_the_keyword_page_says() {
+    let text = |keys: &str| {
+        format!(
+            r#"{{"dimension": "axisymmetric", "nodes": {{"1": {{"at": [1, 0]}}, "2": {{"at": [2, 0]}}, "3": {{"at": [5, 0]}},
+            "p": {{"at": [5.25, -0.5]}}, "q": {{"at": [5.5, -0.5]}}}},
+            "slide_lines": {{"washer": {{"type": "linear", "nodes": ["1", "2", "3"], {keys} "pressure": {{"k": 1000}}}}}},
+            "elements": {{"e": {{"kind": "isl21a", "nodes": ["p", "q"], "slide_line": "washer"}}}},
+            "frames": [{{"time": 0}}], "outputs": ["E11", "S11"]}}"#
+        )
+    };
+    for (keys, pressures) in [
+        ("", [500.0, 0.0]),
+        (r#""extension_zone": 0,"#, [0.0, 0.0]),
+        (r#""smooth": 0.25, "extension_zone": 0.2,"#, [500.0, 500.0]),
+    ] {
+        let results = Results::of(&scene(&text(keys))).unwrap();
+        assert_eq!(results.get("e", "S11", 0), Some(&pressures[..]), "{keys}");
+        assert_eq!(results.get("e", "E11", 0), Some(&[-0.5; 2][..]));
+    }
+    for (keys, expected) in [
+        (
+            r#""extension_zone": 0.3,"#,
+            "slide_lines.washer.extension_zone (line 3, column 100): 0.3; allowed is a number ≥ 0 and ≤ 0.2",
+        ),
+        (
+            r#""smooth": -0.1,"#,
+            "slide_lines.washer.smooth (line 3, column 92): -0.1; allowed is a number ≥ 0 and < 0.5",
+        ),
+    ] {
+        assert_eq!(Scene::parse(&text(keys)).unwrap_err().to_string(), expected);
+    }
+}
+
 #[test]
 fn names_of_abaqus_are_accepted_or_answered() {
     let with = |outputs: &str| joint("hinge", "", outputs, &[[0.5, 0.0, 0.0]]);

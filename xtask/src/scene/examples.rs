@@ -186,8 +186,8 @@ const FIGURES: &[Figure] = &[
     Figure {
         scene: "drive-shaft",
         output: "RM",
-        label: "moment about the input shaft, in N m",
-        unit: 1.0,
+        label: "moment on the input shaft, in N m",
+        unit: -1.0,
         of: &["first"],
         over: Some(Over {
             name: "angle",

@@ -74,7 +74,7 @@ impl Scene {
             let results = if exact { scene::Results::exact(&scene) } else { scene::Results::of(&scene) };
             Ok((results.map_err(|error| error.to_string())?, scene.notes().to_vec()))
         });
-        let (results, notes) = results.map_err(invalid::<String>)?;
+        let (results, notes) = results.map_err(|error: String| invalid(error))?;
         let scene::Results { title, times, counts, series, warnings, .. } = results;
         let series = series.into_iter().map(|series| Py::new(py, Series::of(py, series)?));
         Ok(Self { title, times, counts, series: series.collect::<PyResult<_>>()?, warnings, notes })
