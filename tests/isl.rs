@@ -14,11 +14,7 @@ use std::f64::consts::PI;
 
 /// A flat line from (1, 0) to (5, 0), nodes 1 and 2, and an ISL21A with nodes 3 and 4.
 fn flat(interaction: Interaction) -> Contact {
-    on(SlideLine::new(Interpolation::Linear, [1, 2]).unwrap(), interaction)
-}
-
-/// A ring on this line.
-fn on(line: SlideLine, interaction: Interaction) -> Contact {
+    let line = SlideLine::new(Interpolation::Linear, [1, 2]).unwrap();
     Contact::new(line, ElementSet::new("ring", [IslElement::isl21a(10, [3, 4]).unwrap()]).unwrap(), interaction)
 }
 
@@ -318,22 +314,19 @@ fn the_slip_on_curves_is_the_length_of_the_way() {
     }
 }
 
+/// The line is 4 long, and its extension 0.4.
 #[test]
 fn past_the_extension_of_the_line_nothing_is_transmitted() {
-    let interaction = Interaction::linear(100.0).unwrap().with_friction(0.5, 40.0).unwrap();
-    // The line is 4 long, so that its extension is 0.4 long, or nothing.
-    for (fraction, r, place, expected) in [
-        (SlideLine::EXTENSION, 4.25, Place::Extension { number: 2, distance: 0.25 }, (25.0, 12.5)),
-        (SlideLine::EXTENSION, 4.5, Place::Beyond { number: 2, distance: 0.5 }, (0.0, 0.0)),
-        (0.0, 4.25, Place::Beyond { number: 2, distance: 0.25 }, (0.0, 0.0)),
+    let contact = flat(Interaction::linear(100.0).unwrap().with_friction(0.5, 40.0).unwrap());
+    let start = contact.start(ring(3.5, -0.25)).unwrap();
+    for (r, place, [s11, s12]) in [
+        (4.25, Place::Extension { number: 2, distance: 0.25 }, [25.0, 12.5]),
+        (4.5, Place::Beyond { number: 2, distance: 0.5 }, [0.0; 2]),
     ] {
-        let line = SlideLine::new(Interpolation::Linear, [1, 2]).unwrap().extended(fraction).unwrap();
-        let contact = on(line, interaction);
-        let start = contact.start(ring(3.5, -0.25)).unwrap();
         let state = contact.advance(&start, ring(r, -0.25), &second()).unwrap();
         let [inside, outside] = [3, 4].map(|node| state.node(node).unwrap());
-        assert_eq!((inside.s11, outside.e11), (25.0, -0.25));
-        assert_eq!((outside.closest.place, (outside.s11, outside.s12)), (place, expected));
+        assert_eq!((inside.s11, outside.s11, outside.s12), (25.0, s11, s12));
+        assert_eq!((&outside.closest.place, outside.e11), (&place, -0.25));
     }
 }
 

@@ -173,11 +173,11 @@ fn an_open_line_is_extended_as_the_keyword_page_says() {
     for (keys, expected) in [
         (
             r#""extension_zone": 0.3,"#,
-            "slide_lines.washer.extension_zone (line 3, column 100): 0.3; allowed is a number ≥ 0 and ≤ 0.2",
+            "slide_lines.washer.extension_zone (line 3, column 102): 0.3; allowed is a number ≥ 0 and ≤ 0.2",
         ),
         (
             r#""smooth": -0.1,"#,
-            "slide_lines.washer.smooth (line 3, column 92): -0.1; allowed is a number ≥ 0 and < 0.5",
+            "slide_lines.washer.smooth (line 3, column 94): -0.1; allowed is a number ≥ 0 and < 0.5",
         ),
     ] {
         assert_eq!(Scene::parse(&text(keys)).unwrap_err().to_string(), expected);

@@ -84,7 +84,7 @@ fn a_scene_names_its_tables() {
     fs::write(folder.path().join("f.csv"), LOADS.replace("-3", "x")).unwrap();
     let found = wrong(r#""frames": {"nodes": "u.csv", "loads": "f.csv"},"#);
     let expected =
-        "frames.loads (line 5, column 48): f.csv, line 4, column 3 (\"f2\"): \"x\"; allowed is a finite number";
+        "frames.loads (line 5, column 47): f.csv, line 4, column 3 (\"f2\"): \"x\"; allowed is a finite number";
     assert_eq!(found, expected);
     let found = wrong(r#""frames": {"time": "t", "nodes": "u.csv"},"#);
     assert!(found.starts_with("frames.time (line 5, column 20): unknown key \"time\""), "{found}");
@@ -110,7 +110,8 @@ fn every_mistake_in_a_table_is_told_with_line_and_column() {
             "u.csv, line 1, column 4 (\"U1\"): this column for the second time; allowed is each once",
         ),
         ("time,node,u1\n1,2\n", "u.csv, line 2: 2 cells; allowed is 3, as in the first row"),
-        ("time,node,u1\n1,2,3\n1,\"2\n", "u.csv, line 3: 2 cells; "),
+        ("time,node,u1\r\n\r\n1,2,3\r\n1,\"2\r\n", "u.csv, line 4: a quotation mark that does not end in its line; "),
+        ("\n\r\ntime,node,u1\r\n1,2,3\r\n1,2,x", "u.csv, line 5, column 3 (\"u1\"): \"x\"; "),
         ("time,node,u1\n\n1,2,1.5e\n", "u.csv, line 3, column 3 (\"u1\"): \"1.5e\"; allowed is a finite number"),
         ("time;node;u1\n1;2;0,5\n", "u.csv, line 2, column 3 (\"u1\"): \"0,5\"; allowed is a finite number"),
         ("time,node,u1\n1,2,\n", "u.csv, line 2, column 3 (\"u1\"): an empty cell; allowed is a finite number"),

@@ -55,6 +55,7 @@ mod results;
 pub mod rules;
 mod run;
 mod schema;
+mod table;
 mod tables;
 mod values;
 
@@ -67,5 +68,6 @@ pub use plan::{Plan, PlanLine};
 pub use results::{Results, Series};
 pub use run::{Culprit, Problem, Problems, Run, Stopped, Unreadable, Warning};
 pub use schema::schema;
-pub use tables::{Table, TableFault, Tables};
+pub use table::Table;
+pub use tables::{TableFault, Tables};
 pub use values::Values;

@@ -5,7 +5,7 @@ use super::named::Members;
 use crate::formula::quantity::Domain;
 use crate::scene::angles::AngleUnit;
 use crate::scene::npz::{Archive, Array, PIECE, Unfit};
-use crate::scene::tables::{Subject, Table};
+use crate::scene::table::{Subject, Table};
 use indexmap::IndexMap;
 use std::sync::Arc;
 

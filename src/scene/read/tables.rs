@@ -3,7 +3,8 @@
 use super::keys;
 use crate::scene::json::{Mark, Read, Reader};
 use crate::scene::model::Scene;
-use crate::scene::tables::{Table, Tables};
+use crate::scene::table::Table;
+use crate::scene::tables::Tables;
 use std::path::Path;
 
 /// The tables that the frames name, each with the position at which they do.

@@ -1,8 +1,8 @@
 //! The columns of a table, found by their names.
 
 use super::fault::TableFault;
-use super::source::Subject;
-use csv::ByteRecord;
+use super::lines::Lines;
+use crate::scene::table::Subject;
 
 /// What a column has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -69,12 +69,12 @@ pub(super) struct Header {
 
 impl Header {
     /// Finds the columns in the first row of a table of this name.
-    pub(super) fn read(table: &str, row: &ByteRecord, subject: Subject) -> Result<Self, TableFault> {
-        let names: Vec<_> = row.iter().map(|name| String::from_utf8_lossy(name.trim_ascii()).into_owned()).collect();
+    pub(super) fn read(table: &str, row: &Lines<'_>, subject: Subject) -> Result<Self, TableFault> {
+        let names: Vec<_> = row.cells().map(|name| String::from_utf8_lossy(name).into_owned()).collect();
         let plain: Vec<String> = names.iter().map(|name| plain(name)).collect();
         let fault = |column: Option<usize>, found: String, allowed: String| {
             let column = column.map(|column| (column + 1, names[column].clone()));
-            TableFault { table: table.into(), line: 1, column, found, allowed }
+            TableFault { table: table.into(), line: row.number, column, found, allowed }
         };
         let place = |known: &[&str]| -> Result<Option<usize>, TableFault> {
             let mut places = (0..plain.len()).filter(|&place| known.contains(&&*plain[place]));

@@ -3,8 +3,8 @@
 use super::Tables;
 use super::fault::TableFault;
 use super::rows::Rows;
-use super::source::{Subject, Table};
 use crate::scene::model::{Frame, History, HistoryTables, Quantity, Scene};
+use crate::scene::table::{Subject, Table};
 use std::collections::BTreeMap;
 
 impl Scene {

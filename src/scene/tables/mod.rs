@@ -8,13 +8,13 @@
 mod fault;
 mod header;
 mod history;
+mod lines;
 mod rows;
-mod source;
 
 pub use fault::TableFault;
 pub(super) use rows::Rows;
-pub(super) use source::Subject;
-pub use source::Table;
+
+use super::table::Table;
 
 /// The tables of a history; those of loads and pressures have the times of that of nodes.
 #[derive(Clone, Debug, Default)]

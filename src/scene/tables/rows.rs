@@ -2,16 +2,12 @@
 
 use super::fault::TableFault;
 use super::header::{Header, Value};
-use super::source::{Subject, Summed, Table};
+use super::lines::Lines;
 use crate::formula::quantity::Domain;
 use crate::scene::kind::Dimension;
 use crate::scene::model::{Frame, Members, Named, Scene, Unsorted};
-use csv::{ByteRecord, ErrorKind, ReaderBuilder};
+use crate::scene::table::{Subject, Table};
 use std::fmt;
-use std::io::{BufRead, BufReader};
-
-/// The number of bytes that are read at once; the first row must fit in it.
-const BUFFER: usize = 1 << 16;
 
 /// A table being read.
 pub(in crate::scene) struct Rows<'s> {
@@ -19,8 +15,7 @@ pub(in crate::scene) struct Rows<'s> {
     table: &'s Table,
     subject: Subject,
     pub(super) header: Header,
-    rows: csv::Reader<BufReader<Summed>>,
-    row: ByteRecord,
+    lines: Lines<'s>,
     /// Whether the row is the first of the next state.
     waits: bool,
     /// The times of the last state and of the row, and the text of the latter.
@@ -46,35 +41,24 @@ impl fmt::Debug for Rows<'_> {
 impl<'s> Rows<'s> {
     /// Opens a table and reads its first row.
     pub(in crate::scene) fn open(scene: &'s Scene, table: &'s Table, subject: Subject) -> Result<Self, TableFault> {
-        let whole = |found: String| TableFault {
-            table: table.name().into(),
-            line: 0,
-            column: None,
-            found,
-            allowed: "a table that can be read".into(),
-        };
-        let bytes = table.open().map_err(|error| whole(error.to_string()))?;
-        let mut bytes = BufReader::with_capacity(BUFFER, bytes);
-        let start = bytes.fill_buf().map_err(|error| whole(error.to_string()))?;
-        let separator = separator(start);
-        let mut rows = ReaderBuilder::new().delimiter(separator).has_headers(false).from_reader(bytes);
-        let mut row = ByteRecord::new();
-        let is_there = rows.read_byte_record(&mut row).map_err(|error| fault_of(table, &error))?;
-        if !is_there {
+        let lines = Lines::open(table)?;
+        if lines.len() == 0 {
             return Err(TableFault {
+                table: table.name().into(),
+                line: 0,
+                column: None,
+                found: "no row".into(),
                 allowed: "a first row with the names of the columns".into(),
-                ..whole("no row".into())
             });
         }
-        let header = Header::read(table.name(), &row, subject)?;
+        let header = Header::read(table.name(), &lines, subject)?;
         let things = if subject == Subject::Loads { scene.elements.len() } else { scene.nodes.len() };
         Ok(Self {
             scene,
             table,
             subject,
             header,
-            rows,
-            row,
+            lines,
             waits: false,
             last: None,
             time: f64::NAN,
@@ -94,7 +78,7 @@ impl<'s> Rows<'s> {
 
     /// The checksum of the table, once all of it is read.
     pub(in crate::scene) fn sum(&self) -> u32 {
-        self.rows.get_ref().get_ref().sum()
+        self.lines.sum()
     }
 
     /// Whether any row was about something in the scene.
@@ -104,12 +88,12 @@ impl<'s> Rows<'s> {
 
     /// The number of bytes that persist from state to state.
     pub(in crate::scene) fn bytes(&self) -> usize {
-        size_of_val(&*self.named) + BUFFER
+        size_of_val(&*self.named) + self.lines.bytes()
     }
 
     /// A fault in a column of the current row.
     pub(super) fn fault(&self, column: usize, found: impl Into<String>, allowed: impl Into<String>) -> TableFault {
-        let line = self.row.position().map_or(0, csv::Position::line);
+        let line = self.lines.number;
         let column = Some((column + 1, self.header.names[column].clone()));
         TableFault { table: self.table.name().into(), line, column, found: found.into(), allowed: allowed.into() }
     }
@@ -146,13 +130,19 @@ impl<'s> Rows<'s> {
 
     /// Reads the next row and its time; `false` at the end.
     fn read(&mut self) -> Result<bool, TableFault> {
-        if !self.rows.read_byte_record(&mut self.row).map_err(|error| fault_of(self.table, &error))? {
+        if !self.lines.advance()? {
             return Ok(false);
         }
-        if self.row[self.header.time] != *self.time_text {
+        let (found, expected) = (self.lines.len(), self.header.names.len());
+        if found != expected {
+            let (table, line) = (self.table.name().into(), self.lines.number);
+            let (found, allowed) = (format!("{found} cells"), format!("{expected}, as in the first row"));
+            return Err(TableFault { table, line, column: None, found, allowed });
+        }
+        if self.lines.cell(self.header.time) != self.time_text {
             self.time = self.number(self.header.time, Domain::Real)?;
             self.time_text.clear();
-            self.time_text.extend_from_slice(&self.row[self.header.time]);
+            self.time_text.extend_from_slice(self.lines.cell(self.header.time));
         }
         Ok(true)
     }
@@ -171,7 +161,7 @@ impl<'s> Rows<'s> {
 
     /// The nodes or elements that the row names; those that the scene does not have are counted.
     fn members(&mut self) -> Option<Members> {
-        let name = |place: usize| std::str::from_utf8(self.row[place].trim_ascii()).unwrap_or("\u{fffd}");
+        let name = |place: usize| std::str::from_utf8(self.lines.cell(place)).unwrap_or("\u{fffd}");
         let label = name(self.header.name);
         let instance = self.header.instance.map(name).filter(|instance| !instance.is_empty());
         let mut found = None;
@@ -182,7 +172,7 @@ impl<'s> Rows<'s> {
         }
         let found = found.or_else(|| self.scene.look_up(self.subject, &mut self.next, label));
         if found.is_none() {
-            let line = self.row.position().map_or(0, csv::Position::line);
+            let line = self.lines.number;
             self.strange.get_or_insert_with(|| (0, label.into(), line)).0 += 1;
         }
         found
@@ -237,7 +227,7 @@ impl<'s> Rows<'s> {
 
     /// A number of a domain.
     fn number(&self, column: usize, domain: Domain) -> Result<f64, TableFault> {
-        let text = std::str::from_utf8(self.row[column].trim_ascii()).ok();
+        let text = std::str::from_utf8(self.lines.cell(column)).ok();
         let number = text.and_then(|text| text.parse::<f64>().ok());
         number.filter(|number| number.is_finite() && domain.allows(*number)).ok_or_else(|| {
             let text = self.text(column);
@@ -253,7 +243,7 @@ impl<'s> Rows<'s> {
     }
 
     fn text(&self, column: usize) -> String {
-        String::from_utf8_lossy(self.row[column].trim_ascii()).into_owned()
+        String::from_utf8_lossy(self.lines.cell(column)).into_owned()
     }
 }
 
@@ -298,24 +288,4 @@ impl State {
         let loads = loads.into_iter().map(Unsorted::sorted).collect();
         Frame { time, moves: moves.sorted(), turns: turns.sorted(), loads, pressures: pressures.sorted() }
     }
-}
-
-/// The character between the columns: of comma, semicolon and tab the one that the first line has most often.
-fn separator(start: &[u8]) -> u8 {
-    let line = start.split(|&byte| byte == b'\n').next().unwrap_or_default();
-    let count = |separator: u8| line.iter().filter(|&&byte| byte == separator).count();
-    // Of equally frequent ones the last is taken.
-    [b'\t', b';', b','].into_iter().max_by_key(|&separator| count(separator)).unwrap_or(b',')
-}
-
-/// The fault of a line that is not one of the table.
-fn fault_of(table: &Table, error: &csv::Error) -> TableFault {
-    let line = error.position().map_or(0, csv::Position::line);
-    let (found, allowed) = match error.kind() {
-        ErrorKind::UnequalLengths { expected_len, len, .. } => {
-            (format!("{len} cells"), format!("{expected_len}, as in the first row"))
-        }
-        _ => (error.to_string(), "a table that can be read".into()),
-    };
-    TableFault { table: table.name().into(), line, column: None, found, allowed }
 }

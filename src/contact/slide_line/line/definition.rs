@@ -201,6 +201,7 @@ impl SlideLine {
     ) -> Result<PlacedLine<D>, Error> {
         // Done before the numbers are expanded: the first unknown node ends it.
         let positions = self.nodes().map(|node| check_position(node, position(node)?)).collect::<Result<_, _>>()?;
-        PlacedLine::new(self, self.sequence.numbers(), positions)
+        let Self { interpolation, smoothing, extension, sequence } = self;
+        PlacedLine::new(*interpolation, *smoothing, *extension, sequence.numbers(), positions)
     }
 }

@@ -1,6 +1,5 @@
 //! A slide line at the positions of its nodes: the closest point of the whole line.
 
-use super::definition::SlideLine;
 use super::interpolation::Interpolation;
 use super::place::{ClosestPoint, Foot, Place};
 use super::tree::{BLUR, OrientedBox, Tree};
@@ -42,10 +41,15 @@ impl Piece {
 
 impl<D: Scalar> PlacedLine<D> {
     /// A line of at least one whole segment, as ensured by [`SlideLine`](super::SlideLine).
-    pub(super) fn new(line: &SlideLine, numbers: Arc<[u32]>, nodes: Vec<Vector2<D>>) -> Result<Self, Error> {
-        let (interpolation, smoothing) = (line.interpolation(), line.smoothing());
+    pub(super) fn new(
+        interpolation: Interpolation,
+        smoothing: Option<f64>,
+        extension: f64,
+        numbers: Arc<[u32]>,
+        nodes: Vec<Vector2<D>>,
+    ) -> Result<Self, Error> {
         let is_open = numbers.first() != numbers.last();
-        let extension = if is_open { line.extension() } else { 0.0 };
+        let extension = if is_open { extension } else { 0.0 };
         let mut line = Self { interpolation, smoothing, extension, numbers, nodes, tree: Tree::new(Vec::new()) };
         (0..line.segments()).try_for_each(|segment| line.check_segment(segment))?;
         line.tree = Tree::new((0..line.pieces()).map(|piece| line.bounds(line.piece(piece))).collect());

@@ -1,4 +1,4 @@
-//! The bytes of a table.
+//! A table of a history: its bytes, and what it is about.
 
 use std::fmt;
 use std::fs::File;
@@ -49,7 +49,7 @@ impl Table {
     }
 
     /// Begins to read it.
-    pub(super) fn open(&self) -> io::Result<Summed> {
+    pub(in crate::scene) fn open(&self) -> io::Result<Summed> {
         let bytes: Box<dyn Read + Send + Sync> = match &self.source {
             Source::File(path) => Box::new(File::open(path)?),
             Source::Text(text) => Box::new(Cursor::new(Arc::clone(text))),
@@ -65,14 +65,14 @@ impl fmt::Debug for Table {
 }
 
 /// Bytes with their checksum so far, by which a table that has changed is recognised.
-pub(super) struct Summed {
+pub(in crate::scene) struct Summed {
     bytes: Box<dyn Read + Send + Sync>,
     sum: crc32fast::Hasher,
 }
 
 impl Summed {
     /// The checksum of what has been read.
-    pub(super) fn sum(&self) -> u32 {
+    pub(in crate::scene) fn sum(&self) -> u32 {
         self.sum.clone().finalize()
     }
 }
