@@ -88,7 +88,7 @@ fn only_gamma_can_be_undefined_in_inputs_that_are_no_rotations() {
     let error = check::<CardanAngles>(&triads).unwrap_err();
     assert_eq!(
         error.to_string(),
-        "gamma is undefined, since e1a·e2b = 0 and e1a·e1b = 0 (gimbal lock); allowed is at least one that is not 0"
+        "gamma is undefined, since e1a·e2b = 0 and e1a·e1b = 0 (gimbal lock, beta = ±90°); allowed is at least one that is not 0"
     );
 }
 

@@ -106,8 +106,7 @@ fn without_friction_nobody_asks_for_what_it_needs() {
 fn nodes_are_refused_where_a_line_or_an_angle_is_not_defined() {
     let [x, y, z] = [Vector3::x(), Vector3::y(), Vector3::z()];
     let locked = Nodes::new([[x, y, z], [y, z, x]], [Vector3::zeros(), x]);
-    let words =
-        "alpha is undefined, since e2a·e3b = 0 and e3a·e3b = 0 (gimbal lock); allowed is at least one that is not 0";
+    let words = "alpha is undefined, since e2a·e3b = 0 and e3a·e3b = 0 (gimbal lock, beta = ±90°); allowed is at least one that is not 0";
     let (x1, xm) = (Vector3::new(1.0, 2.0, 3.0), Vector3::new(1.5, 1.75, 4.0));
     let (in_space, in_plane) =
         (slider::Nodes { x1, xn: x1, xm }, slider::Nodes2d { x1: x1.xy(), xn: x1.xy(), xm: xm.xy() });

@@ -239,7 +239,7 @@ fn elements_lie_between_neighbours_of_a_set() {
     let pin = |k: usize| [0.5 + some(k, 0) / 50.0, some(k, 0) / 3.0 + real(k)];
     let moved = |state: usize, k: usize| [0.01 * real(state), -some(k, state) / 4.0];
     let elements = |kind: &str, nodes: &[&str]| json!({ "kind": kind, "nodes": nodes, "slide_line": "box" });
-    let line = json!({ "type": "linear", "nodes": ["box"], "smoothing": 0.25, "pressure": { "k": 100 },
+    let line = json!({ "type": "linear", "nodes": ["box"], "smooth": 0.25, "pressure": { "k": 100 },
         "friction": { "mu": 0.25, "k_stick": 1e3 }, "torque_frequency": 2 });
     let outputs = json!(["E11", "E12", "S11", "S12", "T", "AREA", "T1"]);
     let sets = json!({

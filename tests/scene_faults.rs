@@ -53,7 +53,7 @@ fn every_mistake_is_reported_with_its_place() {
 }"#;
     let found = faults(text);
     let expected = [
-        "colour (line 3, column 3): unknown key \"colour\"; allowed is one of title, dimension, columns, orientations, nodes, slide_lines, elements, frames, outputs",
+        "colour (line 3, column 3): unknown key \"colour\"; allowed is one of title, dimension, angles, columns, orientations, nodes, slide_lines, elements, frames, outputs",
         "nodes.a.at (line 5, column 18): an array of 2; allowed is an array of 3 numbers",
         "nodes.b.at[1] (line 6, column 22): \"NaN\"; allowed is a finite number",
         "nodes.b.orientation (line 6, column 48): no orientation \"none\"; allowed is no orientation, there are none",
@@ -430,7 +430,8 @@ fn a_translator_that_starts_near_a_right_angle_is_refused() {
         assert_eq!(results.is_err(), refused);
         if let Err(problems) = results {
             let said = problems.to_string();
-            assert!(said.contains("initial configuration, scene.angles: beta is -1.57 at the start"), "{said}");
+            let expected = "initial configuration, scene.angles: node \"c\" against node \"a\": beta is -1.57";
+            assert!(said.contains(expected), "{said}");
         }
     }
 }

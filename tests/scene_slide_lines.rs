@@ -111,7 +111,7 @@ fn what_is_wrong_with_slide_lines_is_said_with_its_place() {
   "nodes": { "a": { "at": [1, 0] }, "b": { "at": [5, 0] }, "m": { "at": [2, 1] } },
   "slide_lines": {
     "p": { "type": "parabolic", "nodes": ["a", "b"] },
-    "q": { "type": "straight", "nodes": ["a", "c"], "smoothing": 0.5, "pressure": { "k": 1, "c0": 1 } },
+    "q": { "type": "straight", "nodes": ["a", "c"], "smooth": 0.5, "pressure": { "k": 1, "c0": 1 } },
     "r": { "friction": { "mu": 0.1 } }
   },
   "elements": {
@@ -126,8 +126,8 @@ fn what_is_wrong_with_slide_lines_is_said_with_its_place() {
         "slide_lines.p (line 5, column 10): 2 nodes are given; allowed is an odd number of nodes",
         "slide_lines.q.type (line 6, column 20): \"straight\"; allowed is linear or parabolic",
         "slide_lines.q.nodes[1] (line 6, column 47): no node \"c\"",
-        "slide_lines.q.smoothing (line 6, column 66): 0.5; allowed is",
-        "slide_lines.q.pressure (line 6, column 83): 2 parameters; allowed is k alone, c0 and p0, or tolerance alone",
+        "slide_lines.q.smooth (line 6, column 63): 0.5; allowed is",
+        "slide_lines.q.pressure (line 6, column 80): 2 parameters; allowed is k alone, c0 and p0, or tolerance alone",
         "slide_lines.r.friction (line 7, column 24): 1 parameters; allowed is all of mu, k_stick",
         "slide_lines.r (line 7, column 10): a slide line without \"type\"",
         "slide_lines.r (line 7, column 10): a slide line without \"nodes\"",

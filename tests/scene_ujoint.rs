@@ -35,7 +35,7 @@ fn only_what_an_output_needs_is_evaluated() {
     assert_eq!(yields.iter().filter(|line| *line == "coulomb.response").count(), 1);
     // The angle is followed, and with it the other.
     let passes = plan(r#"["GAP1MAX"]"#);
-    assert_eq!(passes[..4], ["start: universal.angles", "universal.angles", "scene.follow", "scene.follow"]);
+    assert_eq!(passes[..4], ["start: scene.angles", "universal.angles", "scene.follow", "scene.follow"]);
     assert!(passes.len() == 6 && passes.contains(&"ujoint.stop".into()), "{passes:?}");
     assert_eq!(plan(r#"["FBEND"]"#), ["ujoint.decomposition"]);
     assert_eq!(plan(r#"["GROT"]"#), ["start: universal.constraint", "universal.constraint"]);

@@ -48,8 +48,13 @@ fn bad_lines_are_named() {
         );
     }
     let straight = || SlideLine::new(Interpolation::Linear, [1, 2]).unwrap();
-    for (f, shown) in [(0.0, "0.0"), (0.5, "0.5"), (-0.2, "-0.2"), (f64::NAN, "NaN"), (f64::INFINITY, "inf")] {
-        assert_eq!(message(straight().smoothed(f)), format!("f is {shown}; allowed is a number > 0 and < 0.5"));
+    for (f, shown) in [(0.5, "0.5"), (-0.2, "-0.2"), (f64::NAN, "NaN"), (f64::INFINITY, "inf")] {
+        assert_eq!(message(straight().smoothed(f)), format!("f is {shown}; allowed is a number ≥ 0 and < 0.5"));
+    }
+    assert_eq!(straight().smoothed(0.0), Ok(straight()));
+    for (fraction, shown) in [(-0.1, "-0.1"), (0.21, "0.21"), (f64::NAN, "NaN")] {
+        let expected = format!("extension_zone is {shown}; allowed is a number ≥ 0 and ≤ 0.2");
+        assert_eq!(message(straight().extended(fraction)), expected);
     }
 }
 
@@ -137,6 +142,51 @@ fn the_place_is_a_segment_a_corner_a_node_or_past_an_end() {
     let smoothed = closest(Interpolation::Linear, &ROOF, Some(0.25), [2.0, 5.0]);
     assert_eq!((smoothed.place, smoothed.separation), (Place::Corner { index: 0, t: 0.5 }, 3.25));
     assert_eq!(smoothed.weights.iter().map(|(node, _)| *node).collect::<Vec<_>>(), [1, 2, 3]);
+}
+
+/// The fraction is of the length of the end segment, however it is curved and whatever a smoothed corner takes of it.
+#[test]
+fn an_open_line_is_extended_by_a_part_of_its_end_segments() {
+    let places = [[1.0, 0.0], [2.0, 0.0], [4.0, 0.0], [4.0, 3.0], [4.0, 6.0]];
+    for (kind, smoothing, length) in [
+        (Interpolation::Linear, None, 1.0),
+        (Interpolation::Linear, Some(0.25), 1.0),
+        // The midside node is off the middle, the segment straight.
+        (Interpolation::Parabolic, None, 3.0),
+    ] {
+        let by = |fraction: f64, r: f64| {
+            let line = line(kind, places.len(), smoothing).extended(fraction).unwrap();
+            line.place(&numbered(&places)).unwrap().closest([r, 0.5].into()).unwrap().place
+        };
+        for (fraction, distance, extended) in
+            [(0.1, 0.0625, true), (0.1, 0.5, false), (0.2, 0.1875, true), (0.0, 1e-9, false)]
+        {
+            let place = by(fraction, 1.0 - distance * length);
+            let (Place::Extension { number: 1, distance: found } | Place::Beyond { number: 1, distance: found }) =
+                place
+            else {
+                panic!("{kind:?}: {place:?}")
+            };
+            assert!(is(found, 1.0 - (1.0 - distance * length)), "{kind:?}: {found}");
+            assert_eq!(
+                matches!(place, Place::Extension { .. }),
+                extended,
+                "{kind:?} {smoothing:?} {fraction} {distance}"
+            );
+        }
+    }
+}
+
+/// A line whose last node is its first has no end to extend.
+#[test]
+fn a_closed_line_is_not_extended() {
+    let nodes = numbered(&[[1.0, 0.0], [2.0, 0.0], [2.0, 1.0]]);
+    let place = |numbers: &[u32]| {
+        let line = SlideLine::new(Interpolation::Linear, numbers).unwrap();
+        line.place(&nodes).unwrap().closest([0.96875, -0.5].into()).unwrap().place
+    };
+    assert_eq!(place(&[1, 2, 3]), Place::Extension { number: 1, distance: 0.03125 });
+    assert_eq!(place(&[1, 2, 3, 1]), Place::Beyond { number: 1, distance: 0.03125 });
 }
 
 #[test]

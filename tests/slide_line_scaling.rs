@@ -25,7 +25,7 @@ fn bumpy(kind: Interpolation, segments: u32, smoothed: bool) -> PlacedLine {
     let count = segments * stride + 1;
     let node = |k: u32| (k + 1, [f64::from(k) / f64::from(stride), f64::from((k % 7) * (k % 7) % 7) / 16.0]);
     let line = SlideLine::generate(kind, 1, count, 1).unwrap();
-    let line = if smoothed { line.smoothed(SlideLine::SMOOTHING).unwrap() } else { line };
+    let line = if smoothed { line.smoothed(0.2).unwrap() } else { line };
     line.place(&Nodes::new((0..count).map(node)).unwrap()).unwrap()
 }
 

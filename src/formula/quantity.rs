@@ -307,6 +307,8 @@ quantities! {
     SEGMENT_G: r"g", Scalar, ONE, Within(-1.0, 1.0), "coordinate along a segment, from -1 at its first node to 1 at its last";
     CORNER_T: r"t", Scalar, ONE, Within(0.0, 1.0), "coordinate along a smoothed corner, from 0 at its start to 1 at its end";
     FRACTION: r"f", Scalar, ONE, Between(0.0, 0.5), "smoothing fraction: the part of each segment that is replaced by a smoothed corner";
+    SMOOTH: r"f", Scalar, ONE, HalfOpen(0.0, 0.5), "smoothing fraction: the part of each segment that is replaced by a smoothed corner; 0 for sharp corners";
+    EXTENSION_ZONE: r"e", Scalar, ONE, Within(0.0, 0.2), "fraction of the end segment by which an open slide line is extended at either end";
     SEPARATION: r"E_{11}", Scalar, L, Real, "separation of the slave point from the slide line along its normal, positive when open";
     DXS: r"\Delta\mathbf{x}_s", Vec2, L, Vector, "displacement increment of the slave point";
     DX1: r"\Delta\mathbf{x}_1", Vec2, L, Vector, "displacement increment of the first node in sequence";

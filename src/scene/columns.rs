@@ -1,5 +1,6 @@
 //! Results of a scene as columns: one array per output, in a file that numpy can open.
 
+use super::abaqus::own_name;
 use super::model::Scene;
 use super::npz::{Rows, Writer};
 use super::plan::Plan;
@@ -156,8 +157,9 @@ impl Columns {
         Ok(run.warnings().to_vec())
     }
 
-    /// An output of an element, of a set of elements or of a slide line.
+    /// An output of an element, of a set of elements or of a slide line, by its name here or [in Abaqus](super::SAME_OUTPUTS).
     pub fn get(&self, element: &str, output: &str) -> Option<&Column> {
+        let output = own_name(output);
         self.columns.iter().find(|column| column.element == element && column.output == output)
     }
 

@@ -47,6 +47,11 @@ impl Kind {
         KINDS.iter()
     }
 
+    /// Whether it has a cross, whose arms e1a and e3b keep their angle and must not become parallel.
+    pub(crate) fn has_cross(&self) -> bool {
+        self.given("c0").is_some()
+    }
+
     /// The kind of this name and dimension.
     pub fn find(name: &str, dimension: Dimension) -> Option<&'static Self> {
         Self::all().find(|kind| kind.name == name && kind.dimension == dimension)

@@ -31,7 +31,7 @@
 //! assert_eq!(
 //!     faults.to_string(),
 //!     "output (line 1, column 51): unknown key \"output\"; \
-//!      allowed is one of title, dimension, columns, orientations, nodes, slide_lines, elements, frames, outputs",
+//!      allowed is one of title, dimension, angles, columns, orientations, nodes, slide_lines, elements, frames, outputs",
 //! );
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -40,8 +40,10 @@
 //!
 //! Time is linear in elements and states, and elements are distributed over all cores; elements are independent of each other, so
 //! the results have the same bits for every number of threads. Memory is bounded by [`Run::bytes`], whatever the number of
-//! states; a history in columns stays in its file, which is read once to check it and once by every run.
+//! states; a history in columns or [tables](Tables) stays in its file, which is read once to check it and once by every run.
 
+mod abaqus;
+mod angles;
 mod columns;
 mod json;
 mod kind;
@@ -53,8 +55,11 @@ mod results;
 pub mod rules;
 mod run;
 mod schema;
+mod table;
+mod tables;
 mod values;
 
+pub use abaqus::SAME_OUTPUTS;
 pub use columns::{Column, Columns, Unwritten};
 pub use json::{Fault, Faults};
 pub use kind::{Dimension, Fallback, Kind, Origin, Use, When};
@@ -63,4 +68,6 @@ pub use plan::{Plan, PlanLine};
 pub use results::{Results, Series};
 pub use run::{Culprit, Problem, Problems, Run, Stopped, Unreadable, Warning};
 pub use schema::schema;
+pub use table::Table;
+pub use tables::{TableFault, Tables};
 pub use values::Values;

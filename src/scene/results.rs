@@ -1,5 +1,6 @@
 //! Results of a scene, collected.
 
+use super::abaqus::own_name;
 use super::model::Scene;
 use super::plan::Plan;
 use super::run::{Run, Stopped};
@@ -124,14 +125,15 @@ impl Results {
                 place += 1;
             });
         }
-        let warnings = run.warnings().iter().map(ToString::to_string).collect();
+        let mut warnings = plan.scene.warnings();
+        warnings.extend(run.warnings().iter().map(ToString::to_string));
         let title = plan.scene.title().into();
         Ok(Self { title, counts: run.counts(), times, series, warnings, order: Order::default() })
     }
 
-    /// The components of an element's output in a state counted from 0.
+    /// The components of an element's output, by its name here or [in Abaqus](super::SAME_OUTPUTS), in a state counted from 0.
     pub fn get(&self, element: &str, output: &str, state: usize) -> Option<&[f64]> {
-        self.series[self.order.find(&self.series, element, output)?].values.get(state)
+        self.series[self.order.find(&self.series, element, own_name(output))?].values.get(state)
     }
 
     /// The golden form: JSON with one series per line, and numbers that are read back bit for bit.

@@ -1,8 +1,11 @@
 //! The JSON Schema of scene files, generated from the tables that read them.
 
-use super::kind::{Dimension, Fallback, Kind};
+use super::abaqus::SAME_OUTPUTS;
+use super::angles::AngleUnit;
+use super::kind::{Dimension, Kind};
 use super::read::keys;
-use crate::formula::quantity::{Domain, FRACTION, Quantity};
+use crate::contact::slide_line::SlideLine;
+use crate::formula::quantity::{Domain, EXTENSION_ZONE, Quantity, SMOOTH};
 use serde_json::{Map, Value, json};
 
 /// The schema: an editor that uses it completes names and marks mistakes during writing.
@@ -47,11 +50,14 @@ fn of_dimension(dimension: Dimension) -> Value {
     let mut outputs: Vec<_> = kinds.iter().flat_map(|kind| kind.outputs()).map(|(name, _)| name).collect();
     outputs.sort_unstable();
     outputs.dedup();
+    let outputs = with_names_in_abaqus(outputs);
     let mut properties = entries(
         keys::SCENE,
         [
             text(),
             json!({ "const": dimension.name() }),
+            json!({ "enum": AngleUnit::NAMES.map(|(name, _)| name), "default": "radians",
+                "description": "the unit of the angles in the file and its arrays; results are in radians" }),
             json!({ "type": "string", "description": "a .npz file beside the scene, with the arrays that it names" }),
             named(&orientation(dimension)),
             named(&node),
@@ -111,7 +117,8 @@ fn slide_line() -> Value {
                 &entries(keys::GENERATE, [text(), text(), json!({ "type": "integer", "minimum": 1 })]),
                 &["first", "last"],
             ),
-            of_domain(FRACTION.domain),
+            with_default(number(Some(&SMOOTH)), 0.0),
+            with_default(number(Some(&EXTENSION_ZONE)), SlideLine::EXTENSION),
             numbers(&keys::PRESSURE, &[]),
             numbers(&keys::DAMPING, &keys::DAMPING.map(|(name, _)| name)),
             numbers(&keys::FRICTION, &keys::FRICTION.map(|(name, _)| name)),
@@ -134,6 +141,12 @@ fn frames(dimension: Dimension, kinds: &[&Kind]) -> Value {
     let loads = |kind: &Kind| kind.loads().map(|name| (name.into(), array())).collect();
     let mut frames = self::frame(dimension, kinds, [array(), array(), array(), array()], loads);
     frames["type"] = json!(["array", "object"]);
+    // Instead of arrays of a file of columns, the names of tables.
+    let properties = frames["properties"].as_object_mut().into_iter().flatten();
+    for (_, schema) in properties.filter(|(key, _)| keys::TABLES.contains(&key.as_str())) {
+        schema["type"] = json!(["object", "string"]);
+    }
+    frames["required"] = json!([]);
     frames["items"] = frame;
     frames["minItems"] = json!(1);
     frames
@@ -157,11 +170,26 @@ fn frame(
     record(&all, &["time"])
 }
 
+/// Outputs, and those names of Abaqus that are accepted for one of them.
+fn with_names_in_abaqus(mut outputs: Vec<&'static str>) -> Vec<&'static str> {
+    let theirs: Vec<_> =
+        SAME_OUTPUTS.iter().filter(|(_, ours)| outputs.contains(ours)).map(|(theirs, _)| *theirs).collect();
+    outputs.extend(theirs);
+    outputs
+}
+
 /// A number of a quantity.
 fn number(quantity: Option<&Quantity>) -> Value {
     let Some(quantity) = quantity else { return json!({ "type": "number" }) };
     let mut schema = of_domain(quantity.domain);
-    schema["description"] = json!(format!("{} ({})", quantity.meaning, quantity.unit));
+    let unit =
+        if quantity.domain == Domain::Angle { "in the unit of \"angles\"".into() } else { quantity.unit.to_string() };
+    schema["description"] = json!(format!("{} ({unit})", quantity.meaning));
+    schema
+}
+
+fn with_default(mut schema: Value, default: f64) -> Value {
+    schema["default"] = json!(default);
     schema
 }
 
@@ -172,6 +200,7 @@ fn of_domain(domain: Domain) -> Value {
         Domain::Positive => &[("exclusiveMinimum", 0.0)],
         Domain::Between(low, high) => &[("exclusiveMinimum", low), ("exclusiveMaximum", high)],
         Domain::Within(low, high) => &[("minimum", low), ("maximum", high)],
+        Domain::HalfOpen(low, high) => &[("minimum", low), ("exclusiveMaximum", high)],
         _ => &[],
     };
     for &(key, bound) in bounds {
@@ -182,7 +211,7 @@ fn of_domain(domain: Domain) -> Value {
 
 fn of_kind(kind: &Kind) -> Value {
     let count = kind.nodes.len();
-    let outputs: Vec<_> = kind.outputs().map(|(name, _)| name).collect();
+    let outputs = with_names_in_abaqus(kind.outputs().map(|(name, _)| name).collect());
     let mut properties = entries(
         keys::SLIDING_ELEMENT,
         [
@@ -197,10 +226,8 @@ fn of_kind(kind: &Kind) -> Value {
         properties.remove("slide_line");
     }
     for (name, fallback) in kind.parameters() {
-        let mut schema = or_array(number(kind.quantity(name)));
-        if let Fallback::Number(fallback) = fallback {
-            schema["default"] = json!(fallback);
-        }
+        let schema = or_array(number(kind.quantity(name)));
+        let schema = fallback.number().map_or(schema.clone(), |fallback| with_default(schema, fallback));
         properties.insert(name.into(), schema);
     }
     record(&properties, if kind.slides() { &["kind", "nodes", "slide_line"] } else { &["kind", "nodes"] })

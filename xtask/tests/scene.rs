@@ -60,6 +60,50 @@ fn what_is_ambiguous_is_said_and_fails_on_request() {
     bench.run(&["scene", &path]).bad_usage("no outputs are wanted, so nothing would be computed; name some of ");
 }
 
+/// A file that is not written is not blamed for a state that cannot be evaluated.
+#[test]
+fn a_state_without_a_result_is_told_as_such_whatever_is_written() {
+    let bench = Bench::new();
+    let path = bench.path("align.json");
+    let scene = r#"{"dimension": "3d", "orientations": {"o": {"rotation": [0, 0, 0]}},
+        "nodes": {"a": {"at": [0, 0, 0], "orientation": "o"}, "b": {"at": [0, 0, 0]}},
+        "elements": {"e": {"kind": "align", "nodes": ["a", "b"]}}, "outputs": ["ALPHA"],
+        "frames": [{"time": 0}, {"time": 1, "nodes": {"b": {"ur": [0, 1.5707963267948966, 0]}}}]}"#;
+    fs::write(&path, scene).unwrap();
+    let path = path.to_string_lossy();
+    for out in ["x.csv", "x.npz", "x.json"] {
+        let out = bench.path(out);
+        let ran = bench.run(&["scene", &path, "--out", &out.to_string_lossy()]).exits(1);
+        ran.says("error: element \"e\", frames[1], scene.angles: node \"b\" against node \"a\": beta is 1.5707");
+        assert!(!out.exists());
+    }
+}
+
+#[test]
+fn a_table_is_a_history() {
+    let bench = Bench::new();
+    let [table, model, out] = ["u.csv", "rail.json", "out.csv"].map(|name| bench.path(name));
+    let mut scene: Value = serde_json::from_str(&fs::read_to_string(scene("rail.json")).unwrap()).unwrap();
+    scene.as_object_mut().unwrap().remove("frames");
+    scene["outputs"] = json!(["CU1"]);
+    fs::write(&model, scene.to_string()).unwrap();
+    fs::write(&table, "Time,Node Label,U1,S-Mises\n1,car,0.5,7\n2,car,0.75,8\n2,bus,1,9\n").unwrap();
+    let [model, table, out] = [model, table, out].map(|path| path.to_string_lossy().into_owned());
+    let ran = bench.run(&["scene", &model, "--history", &table, "--out", &out]).exits(0);
+    ran.says("u.csv: the columns S-Mises are not used")
+        .says("u.csv: 1 rows name no node of the scene, the first in line 4 \"bus\"; they are ignored");
+    let written = fs::read_to_string(&out).unwrap();
+    assert!(
+        written.starts_with("time,element,output,component,value\n1.0,") && written.contains(",U1,0,0.75\n"),
+        "{written}"
+    );
+    fs::write(&table, "time,node,u1\n1,car,half\n").unwrap();
+    bench
+        .run(&["scene", &model, "--history", &table])
+        .exits(1)
+        .says("line 2, column 3 (\"u1\"): \"half\"; allowed is a finite number");
+}
+
 #[test]
 fn text_has_a_table_for_every_output() {
     let ran = Bench::new().run(&["scene", &scene("rail.json")]).quiet();

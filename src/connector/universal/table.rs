@@ -1,6 +1,7 @@
 //! UNIVERSAL in scenes.
 
 use super::{Angles, Constraint, ConstraintMoment, KineticMoment, RelativeMotion};
+use crate::connector::align::since::Turns;
 use crate::connector::align::table::{ALIGN, MOMENT};
 use crate::contact::increments::Follow;
 use crate::element::table::{
@@ -14,17 +15,18 @@ use Origin::{Before, Initial, Parameter, Zero};
 pub(crate) const CROSSED: &[Given] = &[
     ("no_number", Zero),
     ("c0", Initial("c")),
-    ("alpha0", Initial("alpha_now")),
-    ("gamma0", Initial("gamma_now")),
+    ("alpha0", Initial("alpha_start")),
+    ("gamma0", Initial("gamma_start")),
     ("ur1_before", Before("ur1")),
     ("ur3_before", Before("ur3")),
     ("theta1_ref", Parameter(As("alpha0"))),
     ("theta3_ref", Parameter(As("gamma0"))),
 ];
-/// Angles are computed from −π to π, and followed from state to state.
+/// Angles are computed from −π to π, and followed from state to state. A cross whose arms are parallel at the start is refused.
 pub(crate) const CROSSING: &[Use] = &[
     renamed(&Constraint, &[("g", "g_rot")]),
     renamed(&Constraint, &[("c0", "no_number"), ("g", "c")]),
+    renamed(&Turns, &[("alpha", "alpha_start"), ("beta", "no_beta"), ("gamma", "gamma_start")]),
     renamed(&Angles, &[("alpha", "alpha_now"), ("gamma", "gamma_now")]),
     renamed(&Follow, &[("angle", "alpha_now"), ("start", "alpha0"), ("turned", "ur1_before"), ("followed", "alpha")]),
     renamed(&Follow, &[("angle", "gamma_now"), ("start", "gamma0"), ("turned", "ur3_before"), ("followed", "gamma")]),

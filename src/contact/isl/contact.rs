@@ -117,8 +117,8 @@ impl Contact {
     /// A solver that tries several positions for the end of one increment calls this with the same `before` each time. Slip is
     /// the distance that the closest point travels along the line, measured in the configuration at the end of the increment
     /// ([`PlacedLine::slip`](crate::contact::slide_line::PlacedLine::slip)), so that it does not depend on the size of the
-    /// increments; the closing rate follows from the displacements of the nodes, at the closest point there. A slave node past an
-    /// end of the line transmits nothing.
+    /// increments; the closing rate follows from the displacements of the nodes, at the closest point there. A slave node past the
+    /// extension of an end of the line transmits nothing.
     ///
     /// # Errors
     /// As [`Self::start`]; [`Error::Node`] if the increment names a pressure for a node that is not a slave.

@@ -182,8 +182,8 @@ impl<D: Scalar> PlacedSurface<'_, D> {
     /// The state of a slave node at the end of an increment; `multiplier` is its pressure of hard contact.
     ///
     /// Slip is the distance that the closest point travels along the line, measured in the configuration at the end of the
-    /// increment; the closing rate follows from the displacements of the nodes, at the closest point there. Past an end of the
-    /// line nothing is transmitted.
+    /// increment; the closing rate follows from the displacements of the nodes, at the closest point there. Past the extension of
+    /// an end of the line nothing is transmitted.
     pub(crate) fn advance(
         &self,
         state: &mut SlaveState<D>,
@@ -235,6 +235,12 @@ impl<D: Scalar> PlacedSurface<'_, D> {
 }
 
 impl<D: Scalar> PlacedSurface<'_, D> {
+    /// The length of the segment of a closest point.
+    #[cfg(feature = "scene")]
+    pub(crate) fn segment_length(&self, closest: &ClosestPoint<D>) -> D {
+        self.line.segment_length(closest)
+    }
+
     /// The previous position on the line of a slave node that has none yet: the motion relative to the line is undone.
     fn first_foot(
         &self,

@@ -19,7 +19,7 @@ use crate::number::scalar::Scalar;
 /// let b = Triad::new(-Vector3::z(), Vector3::y(), Vector3::x())?; // a quarter turn about the second axis
 /// assert_eq!(
 ///     between(&Triad::global(), &b).unwrap_err().to_string(),
-///     "alpha is undefined, since e2a·e3b = 0 and e3a·e3b = 0 (gimbal lock); allowed is at least one that is not 0",
+///     "alpha is undefined, since e2a·e3b = 0 and e3a·e3b = 0 (gimbal lock, beta = ±90°); allowed is at least one that is not 0",
 /// );
 /// # Ok::<(), jointproof::Error>(())
 /// ```

@@ -130,12 +130,12 @@ impl Error {
                 Message::is("e2 points to the right of e1".into(), "e1 turned left by 90° (reverse one vector)")
             }
             Self::GimbalLock { angle, sine, cosine } => Message::is(
-                format!("{angle} is undefined, since {sine} = 0 and {cosine} = 0 (gimbal lock)"),
+                format!("{angle} is undefined, since {sine} = 0 and {cosine} = 0 (gimbal lock, beta = ±90°)"),
                 "at least one that is not 0",
             ),
             Self::IllConditioned { angle, value, condition, most } => Message::is(
                 format!(
-                    "{angle} is {value} at the start ({:.3}°), where the angles have the condition number {condition:.3e}",
+                    "{angle} is {value} ({:.3}°), where the angles have the condition number {condition:.3e}",
                     value.to_degrees()
                 ),
                 format!("a condition number of at most {most}, farther from ±90° (or the residual from the start)"),

@@ -2,6 +2,7 @@
 
 use super::fault::{Fault, Faults};
 use crate::formula::error::Error;
+use crate::scene::angles::AngleUnit;
 use std::borrow::Cow;
 use std::fmt::Write;
 
@@ -29,11 +30,19 @@ pub(in crate::scene) struct Reader<'t> {
     pub(super) at: usize,
     pub(super) path: Vec<Segment<'t>>,
     pub(in crate::scene) faults: Faults,
+    /// The unit of the angles in the text; they are read in radians.
+    pub(in crate::scene) angles: AngleUnit,
 }
 
 impl<'t> Reader<'t> {
     pub(in crate::scene) fn new(text: &'t str) -> Self {
-        Self { text: text.strip_prefix('\u{feff}').unwrap_or(text), at: 0, path: Vec::new(), faults: Faults::default() }
+        Self {
+            text: text.strip_prefix('\u{feff}').unwrap_or(text),
+            at: 0,
+            path: Vec::new(),
+            faults: Faults::default(),
+            angles: AngleUnit::default(),
+        }
     }
 
     /// The position at which the next value begins.

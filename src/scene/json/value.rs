@@ -129,7 +129,12 @@ impl<'t> Reader<'t> {
             self.fault(place, format!("{found}{beyond}"), domain.allowed());
             return Ok(None);
         }
-        Ok(Some(number))
+        Ok(Some(if domain == Domain::Angle { self.angles.radians(number) } else { number }))
+    }
+
+    /// A rotation vector, axis times angle.
+    pub(in crate::scene) fn rotation(&mut self) -> Read<Option<[f64; 3]>> {
+        Ok(self.vector()?.map(|rotation| rotation.map(|angle| self.angles.radians(angle))))
     }
 
     /// An array of exactly `N` finite numbers.

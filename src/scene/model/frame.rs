@@ -42,12 +42,38 @@ impl Quantity {
 
 impl Frame {
     /// The nodes or elements that change.
-    pub(super) fn of_mut(&mut self, quantity: Quantity) -> &mut Arc<[u32]> {
+    pub(in crate::scene) fn of_mut(&mut self, quantity: Quantity) -> &mut Arc<[u32]> {
         match quantity {
             Quantity::Moves => &mut self.moves.of,
             Quantity::Turns => &mut self.turns.of,
             Quantity::Pressures => &mut self.pressures.of,
             Quantity::Loads(load) => &mut self.load_mut(load).of,
+        }
+    }
+
+    /// The nodes or elements that change, for every quantity that changes at all.
+    pub(in crate::scene) fn changed(&self) -> impl Iterator<Item = (Quantity, &[u32])> {
+        let Self { moves, turns, loads, pressures, .. } = self;
+        let of_nodes =
+            [(Quantity::Moves, &moves.of), (Quantity::Turns, &turns.of), (Quantity::Pressures, &pressures.of)];
+        let of_elements = loads.iter().enumerate().map(|(load, changes)| (Quantity::Loads(load), &changes.of));
+        of_nodes.into_iter().chain(of_elements).map(|(quantity, of)| (quantity, &**of)).filter(|(_, of)| !of.is_empty())
+    }
+
+    /// Adds the changes of a frame of the same state about other quantities.
+    pub(in crate::scene) fn add(&mut self, other: Self) {
+        let Self { time: _, moves, turns, loads, pressures } = other;
+        if !moves.of.is_empty() {
+            self.moves = moves;
+        }
+        if !turns.of.is_empty() {
+            self.turns = turns;
+        }
+        if !loads.is_empty() {
+            self.loads = loads;
+        }
+        if !pressures.of.is_empty() {
+            self.pressures = pressures;
         }
     }
 

@@ -3,7 +3,9 @@
 use super::frame::{Frame, Quantity};
 use super::named::Members;
 use crate::formula::quantity::Domain;
+use crate::scene::angles::AngleUnit;
 use crate::scene::npz::{Archive, Array, PIECE, Unfit};
+use crate::scene::table::{Subject, Table};
 use indexmap::IndexMap;
 use std::sync::Arc;
 
@@ -12,6 +14,7 @@ use std::sync::Arc;
 pub(in crate::scene) enum History {
     Frames(Vec<Frame>),
     Columns(HistoryColumns),
+    Tables(HistoryTables),
 }
 
 impl History {
@@ -20,6 +23,7 @@ impl History {
         match self {
             Self::Frames(frames) => frames.len(),
             Self::Columns(columns) => columns.times.len(),
+            Self::Tables(tables) => tables.times.len(),
         }
     }
 
@@ -28,6 +32,7 @@ impl History {
         match self {
             Self::Frames(frames) => frames[state].time,
             Self::Columns(columns) => columns.times[state],
+            Self::Tables(tables) => tables.times[state],
         }
     }
 
@@ -36,6 +41,7 @@ impl History {
         match self {
             Self::Frames(frames) => frames,
             Self::Columns(columns) => std::slice::from_ref(&columns.changed),
+            Self::Tables(tables) => std::slice::from_ref(&tables.changed),
         }
     }
 }
@@ -46,8 +52,24 @@ pub(in crate::scene) struct HistoryColumns {
     pub(in crate::scene) file: Arc<Archive>,
     pub(in crate::scene) times: Vec<f64>,
     pub(in crate::scene) columns: Vec<HistoryColumn>,
+    /// The unit of the rotations in the file.
+    pub(in crate::scene) angles: AngleUnit,
     /// The nodes and elements that every state changes, without values.
     pub(in crate::scene) changed: Frame,
+}
+
+/// A history in tables. The values stay there, so memory does not grow with the states.
+#[derive(Clone, Debug)]
+pub(in crate::scene) struct HistoryTables {
+    /// Each with its subject and its checksum.
+    pub(in crate::scene) tables: Vec<(Table, Subject, u32)>,
+    pub(in crate::scene) times: Vec<f64>,
+    /// The nodes and elements that some state changes, without values.
+    pub(in crate::scene) changed: Frame,
+    /// The columns that are not used.
+    pub(in crate::scene) notes: Vec<String>,
+    /// Rows about what is not in the scene.
+    pub(in crate::scene) warnings: Vec<String>,
 }
 
 /// An array whose first axis is the states, followed by the nodes or elements of a set, and the components.
@@ -81,7 +103,12 @@ pub(in crate::scene) enum Places {
 
 impl HistoryColumns {
     /// Columns of a file; within a quantity, no two of them have the same nodes or elements.
-    pub(in crate::scene) fn new(file: Arc<Archive>, times: Vec<f64>, mut columns: Vec<HistoryColumn>) -> Self {
+    pub(in crate::scene) fn new(
+        file: Arc<Archive>,
+        times: Vec<f64>,
+        mut columns: Vec<HistoryColumn>,
+        angles: AngleUnit,
+    ) -> Self {
         let mut changed = Frame::default();
         let mut numbers: IndexMap<_, Vec<u32>> = IndexMap::new();
         for column in &columns {
@@ -94,7 +121,7 @@ impl HistoryColumns {
         for column in &mut columns {
             column.places = Places::new(column.of, changed.of_mut(column.quantity));
         }
-        Self { file, times, columns, changed }
+        Self { file, times, columns, angles, changed }
     }
 }
 

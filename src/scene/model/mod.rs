@@ -8,10 +8,11 @@ mod orientation;
 
 pub(super) use element::{Parameter, SceneElement};
 pub(super) use frame::{Changes, Frame, Quantity, Unsorted};
-pub(super) use history::{Components, History, HistoryColumn, HistoryColumns, OpenColumn, Places};
+pub(super) use history::{Components, History, HistoryColumn, HistoryColumns, HistoryTables, OpenColumn, Places};
 pub(super) use named::{Members, Named};
 pub(super) use orientation::{Axes, Orientation, exactly, global, turned};
 
+use super::angles::AngleUnit;
 use super::kind::{Dimension, Kind};
 use crate::contact::isl::Surface;
 use crate::formula::quantity::Domain;
@@ -21,6 +22,8 @@ use crate::formula::quantity::Domain;
 pub struct Scene {
     pub(in crate::scene) title: String,
     pub(in crate::scene) dimension: Dimension,
+    /// The unit of the angles in the file; here they are in radians.
+    pub(in crate::scene) angles: AngleUnit,
     pub(in crate::scene) orientations: Named<Orientation>,
     pub(in crate::scene) nodes: Named<SceneNode>,
     /// The initial position of every node, by its number.
@@ -57,10 +60,17 @@ impl Scene {
         let members = self.elements.members(element)?;
         Some(self.elements[members.number(0)].kind)
     }
-    /// What in the file is ambiguous, in words: angles that look like degrees.
+    /// What is ambiguous, in words: angles that look like degrees, unless the file says their unit; rows of tables about what is
+    /// not in the scene.
     pub fn warnings(&self) -> Vec<String> {
         let turn = std::f64::consts::TAU;
-        let mut warnings = Vec::new();
+        let mut warnings = match &self.history {
+            History::Tables(tables) => tables.warnings.clone(),
+            _ => Vec::new(),
+        };
+        if self.angles != AngleUnit::Unsaid {
+            return warnings;
+        }
         for (name, SceneElement { kind, parameters, .. }) in self.elements.names().zip(self.elements.things()) {
             let angles =
                 kind.parameters().zip(&**parameters).filter(|((name, _), _)| kind.domain(name) == Domain::Angle);
@@ -72,7 +82,7 @@ impl Scene {
                 };
                 if let Some(number) = numbers.iter().find(|number| number.is_finite() && number.abs() > turn) {
                     warnings.push(format!(
-                        "elements.{name}.{parameter} is {number}, more than a full turn: angles are in radians, and {number}° would be {:.6}",
+                        "elements.{name}.{parameter} is {number}, more than a full turn: angles are in radians, and {number}° would be {:.6}; say \"angles\": \"degrees\" or \"radians\"",
                         number.to_radians()
                     ));
                 }

@@ -200,9 +200,14 @@ fn column_of(
         reader.fault_at(array.mark, "an array for one element", domain.allowed());
         return None;
     };
+    let angles = reader.angles;
     let load = |mut array: Array| -> Result<Box<[f64]>, Unfit> {
         array.outline().expect(&[count as usize], "elements")?;
-        Ok(array.numbers(domain)?.into())
+        let mut numbers = array.numbers(domain)?;
+        if domain == Domain::Angle {
+            numbers.iter_mut().for_each(|angle| *angle = angles.radians(*angle));
+        }
+        Ok(numbers.into())
     };
     columns.load(reader, array, load)
 }

@@ -183,7 +183,7 @@ fn motion_of(reader: &mut Reader, dimension: Dimension, nodes: Members, frame: &
     reader.record(motions(dimension), |reader, key| {
         let (motions, by) = match key {
             0 => (&mut frame.moves, point(reader, dimension)?),
-            _ if dimension == Dimension::Space => (&mut frame.turns, reader.vector()?),
+            _ if dimension == Dimension::Space => (&mut frame.turns, reader.rotation()?),
             _ => (&mut frame.turns, reader.number(Domain::Angle)?.map(in_plane)),
         };
         if let Some(by) = by {

@@ -119,5 +119,5 @@ fn checked(reader: &mut Reader, file: &Arc<Archive>, times: Vec<f64>, wanted: Ve
             Err(Unfit { found, allowed }) => reader.fault_at(mark, found, allowed),
         }
     }
-    History::Columns(HistoryColumns::new(Arc::clone(file), times, columns))
+    History::Columns(HistoryColumns::new(Arc::clone(file), times, columns, reader.angles))
 }

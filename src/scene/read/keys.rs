@@ -4,8 +4,18 @@ use crate::contact::slide_line::Interpolation;
 use crate::formula::quantity::{CLEARANCE, DAMPING_FRACTION, Domain, MU, MU0, PRESSURE_AT_TOUCH, STIFFNESS};
 
 /// The keys of a scene.
-pub(in crate::scene) const SCENE: [&str; 9] =
-    ["title", "dimension", "columns", "orientations", "nodes", "slide_lines", "elements", "frames", "outputs"];
+pub(in crate::scene) const SCENE: [&str; 10] = [
+    "title",
+    "dimension",
+    "angles",
+    "columns",
+    "orientations",
+    "nodes",
+    "slide_lines",
+    "elements",
+    "frames",
+    "outputs",
+];
 pub(in crate::scene) const NODE: [&str; 2] = ["at", "orientation"];
 /// The keys of an orientation in space, of which exactly one must be present.
 pub(in crate::scene) const SPACE_ORIENTATION: [&str; 3] = ["axes", "rotation", "quaternion"];
@@ -17,9 +27,11 @@ pub(in crate::scene) const SLIDING_ELEMENT: [&str; 4] = ["kind", "nodes", "outpu
 pub(in crate::scene) const FRAME: [&str; 3] = ["time", "nodes", "loads"];
 /// The keys of a frame of an axisymmetric scene.
 pub(in crate::scene) const SLIDING_FRAME: [&str; 3] = ["time", "nodes", "pressures"];
+/// The keys of frames that name tables.
+pub(in crate::scene) const TABLES: [&str; 3] = ["nodes", "loads", "pressures"];
 pub(in crate::scene) const MOTION: [&str; 2] = ["u", "ur"];
-pub(in crate::scene) const SLIDE_LINE: [&str; 8] =
-    ["type", "nodes", "generate", "smoothing", "pressure", "damping", "friction", "torque_frequency"];
+pub(in crate::scene) const SLIDE_LINE: [&str; 9] =
+    ["type", "nodes", "generate", "smooth", "extension_zone", "pressure", "damping", "friction", "torque_frequency"];
 /// The keys of generated nodes.
 pub(in crate::scene) const GENERATE: [&str; 3] = ["first", "last", "increment"];
 /// The types of slide lines.

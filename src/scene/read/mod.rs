@@ -11,8 +11,10 @@ mod names;
 mod nodes;
 mod outputs;
 mod slide_lines;
+mod tables;
 mod triads;
 
+use super::angles::AngleUnit;
 use super::json::{Faults, Read, Reader};
 use super::kind::Dimension;
 use super::model::{Frame, History, Scene};
@@ -24,6 +26,7 @@ use nodes::{Nodes, nodes_of, orientations_of};
 use outputs::Outputs;
 use slide_lines::slide_lines_of;
 use std::path::Path;
+use tables::NamedTables;
 use triads::Inherited;
 
 impl Scene {
@@ -73,10 +76,13 @@ fn scene(reader: &mut Reader, folder: Option<&Path>) -> Read<Option<Scene>> {
             reader.fault(start, format!("no {key:?}"), "a scene with dimension, nodes and elements");
         }
     }
-    let [title, dimension, columns, orientations, nodes, lines, elements, frames, outputs] = parts;
+    let [title, dimension, angles, columns, orientations, nodes, lines, elements, frames, outputs] = parts;
     let title = part(reader, "title", title, |reader| reader.string("a string"))?.flatten().unwrap_or_default();
     let dimension = part(reader, "dimension", dimension, dimension_of)?.flatten();
     let Some(dimension) = dimension else { return Ok(None) };
+    if let Some(unit) = part(reader, "angles", angles, angles_of)?.flatten() {
+        reader.angles = unit;
+    }
     let columns = part(reader, "columns", columns, |reader| Columns::read(reader, folder))?.unwrap_or_default();
     let turns = part(reader, "orientations", orientations, |reader| orientations_of(reader, dimension))?;
     let turns = turns.unwrap_or_default();
@@ -98,6 +104,8 @@ fn scene(reader: &mut Reader, folder: Option<&Path>) -> Read<Option<Scene>> {
         )
     })?;
     let elements = elements.unwrap_or_default();
+    let tables = part(reader, "frames", frames, |reader| NamedTables::read(reader, folder))?.flatten();
+    let frames = frames.filter(|_| tables.is_none());
     let history = part(reader, "frames", frames, |reader| {
         let mut mentions = Mentions::new(dimension, &nodes, &elements);
         match columns.file() {
@@ -106,10 +114,12 @@ fn scene(reader: &mut Reader, folder: Option<&Path>) -> Read<Option<Scene>> {
         }
     })?;
     let history = history.unwrap_or_else(|| History::Frames(vec![Frame::default()]));
+    let angles = reader.angles;
     let whole = || {
         Some(Scene {
             title: title.into(),
             dimension,
+            angles,
             orientations: turns.each(|orientation| orientation)?,
             nodes: {
                 let mut places = 0..;
@@ -121,7 +131,11 @@ fn scene(reader: &mut Reader, folder: Option<&Path>) -> Read<Option<Scene>> {
             history,
         })
     };
-    Ok(whole())
+    let scene = whole();
+    match (tables, scene) {
+        (Some(tables), Some(scene)) => Ok(tables.give(reader, scene)),
+        (_, scene) => Ok(scene),
+    }
 }
 
 /// Whether slide lines are allowed in the scene.
@@ -146,12 +160,22 @@ fn part<'t, T>(
 }
 
 fn dimension_of(reader: &mut Reader) -> Read<Option<Dimension>> {
+    named_one_of(reader, Dimension::ALL.map(|dimension| (dimension.name(), dimension)))
+}
+
+/// The unit of all angles in the file.
+fn angles_of(reader: &mut Reader) -> Read<Option<AngleUnit>> {
+    named_one_of(reader, AngleUnit::NAMES)
+}
+
+/// One of these things, by its name.
+fn named_one_of<T: Copy, const N: usize>(reader: &mut Reader, known: [(&str, T); N]) -> Read<Option<T>> {
     let place = reader.place();
-    let allowed = Dimension::ALL.map(Dimension::name).join(", ");
+    let allowed = known.map(|(name, _)| name).join(", ");
     let Some(name) = reader.string(&allowed)? else { return Ok(None) };
-    let dimension = Dimension::ALL.into_iter().find(|dimension| dimension.name() == name);
-    if dimension.is_none() {
+    let found = known.into_iter().find(|(known, _)| *known == name).map(|(_, thing)| thing);
+    if found.is_none() {
         reader.fault(place, format!("{name:?}"), allowed);
     }
-    Ok(dimension)
+    Ok(found)
 }

@@ -108,7 +108,7 @@ pub(super) fn orientations_of(reader: &mut Reader, dimension: Dimension) -> Read
         reader.record(keys, |reader, key| {
             found.push(match (dimension, key) {
                 (Dimension::Space, 0) => axes(reader)?,
-                (Dimension::Space, 1) => reader.vector()?.map(Orientation::Rotation),
+                (Dimension::Space, 1) => reader.rotation()?.map(Orientation::Rotation),
                 (Dimension::Space, _) => quaternion(reader)?,
                 _ => reader.number(Domain::Angle)?.map(|angle| Orientation::Rotation([0.0, 0.0, angle])),
             });

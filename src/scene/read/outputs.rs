@@ -1,5 +1,6 @@
 //! The requested outputs.
 
+use crate::scene::abaqus::{meant, own_name};
 use crate::scene::json::{Read, Reader};
 use crate::scene::kind::{Dimension, Kind};
 
@@ -27,12 +28,14 @@ impl Outputs {
         reader.array("an array of output names", |reader, _| {
             let place = reader.place();
             let Some(name) = reader.string("the name of an output")? else { return Ok(()) };
-            if !known.contains(&&*name) {
-                reader.fault(place, format!("no output {name:?}"), format!("one of {}", known.join(", ")));
-            } else if all.iter().any(|(other, _)| *other == name) {
+            let own = own_name(&name);
+            if !known.contains(&own) {
+                let hint = meant(&name, known).map(|meant| format!(" (did you mean {meant}?)")).unwrap_or_default();
+                reader.fault(place, format!("no output {name:?}{hint}"), format!("one of {}", known.join(", ")));
+            } else if all.iter().any(|(other, _)| *other == own) {
                 reader.fault(place, format!("{name:?} for the second time"), "each output once");
             } else {
-                all.push((name.into(), place));
+                all.push((own.into(), place));
             }
             Ok(())
         })?;

@@ -6,7 +6,7 @@ use super::names::{look_up, named, refer_all};
 use crate::contact::isl::{Interaction, Surface};
 use crate::contact::slide_line::{Interpolation, SlideLine};
 use crate::formula::error::Error;
-use crate::formula::quantity::{Domain, FRACTION};
+use crate::formula::quantity::{Domain, EXTENSION_ZONE, SMOOTH};
 use crate::scene::json::{Read, Reader};
 use crate::scene::model::{Members, Named, SceneLine, SceneNode};
 use std::ops::RangeInclusive;
@@ -18,17 +18,19 @@ pub(super) fn slide_lines_of(reader: &mut Reader, nodes: &Named<Option<SceneNode
 
 fn slide_line(reader: &mut Reader, nodes: &Named<Option<SceneNode>>) -> Read<Option<SceneLine>> {
     let place = reader.place();
-    let (mut interpolation, mut ends, mut smoothing, mut frequency) = (None, Vec::new(), None, Some(1));
+    let (mut interpolation, mut ends, mut frequency) = (None, Vec::new(), Some(1));
+    let (mut smooth, mut extension) = (0.0, SlideLine::EXTENSION);
     let (mut interaction, mut damping, mut friction) = (Some(Interaction::default()), None, None);
     let is_object = reader.record(&keys::SLIDE_LINE, |reader, key| {
         match key {
             0 => interpolation = Some(type_of(reader)?),
             1 => ends.push(refer_all(reader, nodes, "an array of nodes, in sequence", "node")?.map(in_sequence)),
             2 => ends.push(generated(reader, nodes)?),
-            3 => smoothing = reader.number(FRACTION.domain)?,
-            4 => interaction = pressure_of(reader)?,
-            5 => damping = all_of(reader, keys::DAMPING)?,
-            6 => friction = all_of(reader, keys::FRICTION)?,
+            3 => smooth = reader.number(SMOOTH.domain)?.unwrap_or_default(),
+            4 => extension = reader.number(EXTENSION_ZONE.domain)?.unwrap_or(extension),
+            5 => interaction = pressure_of(reader)?,
+            6 => damping = all_of(reader, keys::DAMPING)?,
+            7 => friction = all_of(reader, keys::FRICTION)?,
             _ => frequency = whole(reader, 0..=u32::MAX)?,
         }
         Ok(())
@@ -45,7 +47,8 @@ fn slide_line(reader: &mut Reader, nodes: &Named<Option<SceneNode>>) -> Read<Opt
     else {
         return Ok(None);
     };
-    match surface(interpolation, numbers, smoothing, interaction, damping, friction) {
+    let line = || SlideLine::new(interpolation, numbers)?.smoothed(smooth)?.extended(extension);
+    match line().and_then(|line| surface(line, interaction, damping, friction)) {
         Ok(surface) => Ok(frequency.map(|torque_frequency| SceneLine { surface, torque_frequency })),
         Err(error) => {
             reader.reject(place, &error);
@@ -126,17 +129,11 @@ fn numbered(name: &str) -> Option<(&str, u32)> {
 }
 
 fn surface(
-    interpolation: Interpolation,
-    numbers: Vec<u32>,
-    smoothing: Option<f64>,
+    line: SlideLine,
     mut interaction: Interaction,
     damping: Option<[f64; 3]>,
     friction: Option<[f64; 2]>,
 ) -> Result<Surface, Error> {
-    let mut line = SlideLine::new(interpolation, numbers)?;
-    if let Some(f) = smoothing {
-        line = line.smoothed(f)?;
-    }
     if let Some([mu0, c0, eta]) = damping {
         interaction = interaction.with_damping(mu0, c0, eta)?;
     }

@@ -2,6 +2,7 @@
 
 use super::nodes::NodeStates;
 use crate::contact::isl::{Failure, Motion, Slave, SlaveState, Tally, areas, torque, total_torque};
+use crate::contact::slide_line::Place;
 use crate::element::table::Number;
 use crate::formula::error::Error;
 use crate::scene::model::Changes;
@@ -23,7 +24,16 @@ pub(super) struct ContactRun<'s, T> {
     /// The number of states so far, and whether the torque is a result of the current one.
     states: u32,
     shows_torque: bool,
+    /// Whether a node on the wrong side has been told.
+    told: bool,
     tally: Tally,
+}
+
+/// A slave node that is farther on the wrong side than the nearest segment is long.
+pub(super) struct Astray {
+    pub(super) node: u32,
+    pub(super) overclosure: f64,
+    pub(super) segment: f64,
 }
 
 /// A slave node.
@@ -64,6 +74,8 @@ impl<T: Number> Motion<T> for Increment<'_, T> {
 struct Outcome {
     tally: Tally,
     failures: Vec<Failure>,
+    /// The first one.
+    astray: Option<Astray>,
 }
 
 impl Outcome {
@@ -71,6 +83,7 @@ impl Outcome {
     fn and(mut self, next: Self) -> Self {
         self.tally.add_all(&next.tally);
         self.failures.extend(next.failures);
+        self.astray = self.astray.or(next.astray);
         self
     }
 }
@@ -86,12 +99,13 @@ impl<'s, T: Number> ContactRun<'s, T> {
             total: T::zero(),
             states: 0,
             shows_torque: false,
+            told: false,
             tally: Tally::default(),
         }
     }
 
-    /// Advances to the next state, or returns all failures in it.
-    pub(super) fn advance(&mut self, increment: &Increment<'_, T>) -> Result<(), Vec<Failure>> {
+    /// Advances to the next state, or returns all failures in it. The first slave node on the wrong side is told once.
+    pub(super) fn advance(&mut self, increment: &Increment<'_, T>) -> Result<Option<Astray>, Vec<Failure>> {
         let placed = self.plan.surface.place(increment).map_err(|failure| vec![failure])?;
         let advance = |mut all: Outcome, (run, &slave): (&mut SlaveRun<T>, &Slave)| {
             if let Some(pressure) = increment.pressures.get(slave.node) {
@@ -99,13 +113,20 @@ impl<'s, T: Number> ContactRun<'s, T> {
             }
             let advanced = placed.advance(&mut run.state, slave, run.multiplier, increment, &mut all.tally);
             match advanced {
-                Ok(closest) => run.tangent = closest.tangent,
+                Ok(closest) => {
+                    run.tangent = closest.tangent;
+                    let (overclosure, segment) = (-run.state.e11.rounded(), placed.segment_length(&closest).rounded());
+                    if overclosure > segment && !matches!(closest.place, Place::Beyond { .. }) {
+                        all.astray = all.astray.or(Some(Astray { node: slave.node, overclosure, segment }));
+                    }
+                }
                 Err(failure) => all.failures.push(failure),
             }
             all
         };
         let slaves = self.slaves.par_iter_mut().zip(&self.plan.slaves);
-        let Outcome { tally, failures } = slaves.fold(Outcome::default, advance).reduce(Outcome::default, Outcome::and);
+        let Outcome { tally, failures, astray } =
+            slaves.fold(Outcome::default, advance).reduce(Outcome::default, Outcome::and);
         self.tally.add_all(&tally);
         if !failures.is_empty() {
             return Err(failures);
@@ -113,7 +134,10 @@ impl<'s, T: Number> ContactRun<'s, T> {
         self.states += 1;
         let frequency = self.plan.torque_frequency;
         self.shows_torque = frequency > 0 && (increment.is_last || self.states.is_multiple_of(frequency));
-        self.measure(increment).and_then(|()| self.turn(increment)).map_err(|failure| vec![failure])
+        self.measure(increment).and_then(|()| self.turn(increment)).map_err(|failure| vec![failure])?;
+        let astray = astray.filter(|_| !self.told);
+        self.told |= astray.is_some();
+        Ok(astray)
     }
 
     /// Computes the requested areas.

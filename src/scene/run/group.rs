@@ -9,6 +9,7 @@ use crate::scene::model::{Changes, Frame, Scene};
 use crate::scene::plan::{Group, Parameter, Pass};
 use arrayvec::ArrayVec;
 use rayon::prelude::*;
+use std::collections::HashSet;
 use std::ops::Range;
 
 /// The values that the elements of a group keep from state to state, including their results.
@@ -149,6 +150,9 @@ impl<T: Number> Inputs<'_, T> {
                 T::run(planned.step, &planned.wiring, &mut lanes, &mut failures);
             }
         }
+        // What follows from the first failure of an element has the same cause.
+        let mut told = HashSet::new();
+        failures.retain(|failure| told.insert(failure.element));
         failures
     }
 

@@ -7,24 +7,28 @@
 
 mod blocks;
 mod contact;
+mod cross;
 mod gather;
 mod group;
 mod nodes;
 mod problem;
 mod share;
 mod states;
+mod warning;
 mod way;
 
 pub(super) use gather::{Gather, array_name};
 pub use problem::{Culprit, Problem, Problems, Stopped, Unreadable};
-pub use way::Warning;
+pub use warning::Warning;
 
 use super::model::{Frame, Scene};
 use super::plan::{Group, Plan};
 use crate::contact::isl;
 use crate::element::table::{Failure, Number};
+use crate::formula::error::Error;
 use arrayvec::ArrayVec;
-use contact::{ContactRun, Increment};
+use contact::{Astray, ContactRun, Increment};
+use cross::Crosses;
 use group::{GroupState, Inputs};
 use indexmap::IndexMap;
 use nodes::NodeStates;
@@ -44,6 +48,7 @@ pub struct Run<'s, T> {
     frames: States<'s>,
     nodes: NodeStates<'s, T>,
     groups: Vec<GroupState<T>>,
+    crosses: Vec<Crosses>,
     /// The group, and the index in it, of every element with requested outputs.
     places: Vec<Option<[u32; 2]>>,
     contacts: Vec<ContactRun<'s, T>>,
@@ -57,7 +62,7 @@ impl<'s, T: Number> Run<'s, T> {
     /// A formula that is undefined there, or an array of the history that cannot be read.
     pub fn new(plan: &'s Plan<'s>) -> Result<Self, Stopped> {
         let scene = plan.scene;
-        let frames = States::new(&scene.history)?;
+        let frames = States::new(scene)?;
         let mut places = vec![None; scene.elements.len()];
         for (group, index) in plan.groups.iter().zip(0..) {
             for (&element, place) in group.elements.iter().zip(0..) {
@@ -66,8 +71,10 @@ impl<'s, T: Number> Run<'s, T> {
         }
         let nodes = NodeStates::new(plan);
         let groups = plan.groups.iter().map(|group| GroupState::new(scene, group, &nodes)).collect();
+        let crosses = plan.groups.iter().map(|group| Crosses::new(scene, group, &nodes)).collect();
         let contacts = plan.contacts.iter().map(ContactRun::new).collect();
-        let mut run = Self { scene, plan, states: 0, frames, nodes, groups, places, contacts, warnings: Vec::new() };
+        let warnings = Vec::new();
+        let mut run = Self { scene, plan, states: 0, frames, nodes, groups, crosses, places, contacts, warnings };
         let problems = run.evaluate(None, |_| true);
         if problems.is_empty() { Ok(run) } else { Err(Problems(problems).into()) }
     }
@@ -92,9 +99,9 @@ impl<'s, T: Number> Run<'s, T> {
     /// Turns the nodes by large angles in parts, so that angles are followed. What turns along no known axis is warned of.
     fn turn(&mut self, frame: &Frame) -> Vec<Problem> {
         let Some((way, unknown)) = self.nodes.way(frame) else { return Vec::new() };
-        let (state, scene, room) = (self.states, self.scene, LISTED.saturating_sub(self.warnings.len()));
-        let warning = |(node, angle)| Warning { state, node: scene.nodes.name(node).to_string(), angle };
-        self.warnings.extend(unknown.into_iter().take(room).map(warning));
+        let (state, scene) = (self.states, self.scene);
+        let warning = |(node, angle)| Warning::UnknownWay { state, node: scene.nodes.name(node).to_string(), angle };
+        warn(&mut self.warnings, unknown.into_iter().map(warning));
         if way.parts == 1 {
             return Vec::new();
         }
@@ -118,12 +125,28 @@ impl<'s, T: Number> Run<'s, T> {
     /// Evaluates the elements of these groups in a frame, or in the initial configuration if there is none.
     fn evaluate(&mut self, frame: Option<&Frame>, wanted: impl Fn(&Group) -> bool) -> Vec<Problem> {
         let mut problems = Vec::new();
-        for (group, state) in self.plan.groups.iter().zip(&mut self.groups).filter(|(group, _)| wanted(group)) {
-            let failures = state.evaluate(&Inputs { group, nodes: &self.nodes, frame });
+        let (scene, state) = (self.scene, frame.map(|_| self.states));
+        let groups = self.plan.groups.iter().zip(&mut self.groups).zip(&mut self.crosses);
+        for ((group, evaluated), crosses) in groups.filter(|((group, _), _)| wanted(group)) {
+            let parallel = crosses.advance(scene, group, &self.nodes).into_iter();
+            let warning = |element: usize| {
+                let [a, b] = [0, 1].map(|end| name_of_end(scene, group.elements[element], end));
+                let element = scene.elements.name(group.elements[element]).to_string();
+                Warning::ParallelArms { state: self.states, element, nodes: [a, b] }
+            };
+            warn(&mut self.warnings, parallel.map(warning));
+            let failures = evaluated.evaluate(&Inputs { group, nodes: &self.nodes, frame });
             problems.extend(failures.into_iter().take(LISTED).map(|Failure { element, formula, error }| {
-                let culprit = Culprit::Element(self.scene.elements.name(group.elements[element]).to_string());
-                let message = error.to_string();
-                Problem { culprit, state: frame.map(|_| self.states), formula, error, message }
+                let element = group.elements[element];
+                let culprit = Culprit::Element(scene.elements.name(element).to_string());
+                let message = match error {
+                    Error::IllConditioned { .. } | Error::GimbalLock { .. } => {
+                        let [a, b] = [0, 1].map(|end| name_of_end(scene, element, end));
+                        format!("node {b:?} against node {a:?}: {error}")
+                    }
+                    _ => error.to_string(),
+                };
+                Problem { culprit, state, formula, error, message }
             }));
         }
         problems.truncate(LISTED);
@@ -141,10 +164,17 @@ impl<'s, T: Number> Run<'s, T> {
         let (scene, state) = (self.scene, self.states);
         let mut problems = Vec::new();
         for contact in &mut self.contacts {
-            if let Err(failures) = contact.advance(&increment) {
-                problems.extend(
+            match contact.advance(&increment) {
+                Ok(astray) => warn(
+                    &mut self.warnings,
+                    astray.into_iter().map(|Astray { node, overclosure, segment }| {
+                        let [slide_line, node] = [contact.name().to_owned(), scene.nodes.name(node).to_string()];
+                        Warning::WrongSide { state, slide_line, node, overclosure, segment }
+                    }),
+                ),
+                Err(failures) => problems.extend(
                     failures.into_iter().take(LISTED).map(|failure| problem_of(scene, state, contact.name(), failure)),
-                );
+                ),
             }
         }
         problems
@@ -194,9 +224,22 @@ impl<'s, T: Number> Run<'s, T> {
     /// columns.
     pub fn bytes(&self) -> [usize; 2] {
         let evaluated: usize = self.groups.iter().map(GroupState::bytes).sum();
+        let crossed: usize = self.crosses.iter().map(Crosses::bytes).sum();
         let sliding: usize = self.contacts.iter().map(ContactRun::bytes).sum();
-        [evaluated + sliding + size_of_val(&*self.places), self.nodes.bytes() + self.frames.bytes()]
+        [evaluated + crossed + sliding + size_of_val(&*self.places), self.nodes.bytes() + self.frames.bytes()]
     }
+}
+
+/// Adds warnings as long as there is room.
+fn warn(warnings: &mut Vec<Warning>, more: impl Iterator<Item = Warning>) {
+    let room = LISTED.saturating_sub(warnings.len());
+    warnings.extend(more.take(room));
+}
+
+/// The name of a node of an element, by its index in the element's list.
+fn name_of_end(scene: &Scene, element: u32, end: usize) -> String {
+    let (thing, member) = scene.elements.locate(element);
+    scene.nodes.name(scene.elements.things()[thing].nodes[end].number(member)).to_string()
 }
 
 /// The problem of a failure on a slide line, whose nodes and elements have the numbers of the scene.

@@ -2,7 +2,6 @@
 
 use crate::scene::model::Frame;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
-use std::fmt;
 
 /// A rotation beyond this is followed in parts.
 const FOLLOWED: f64 = FRAC_PI_2;
@@ -12,29 +11,6 @@ const PART: f64 = FRAC_PI_4;
 const MOST_PARTS: f64 = 1024.0;
 /// The sine of the largest angle between rotation vectors along one axis, which are given in decimals.
 const ALONG: f64 = 1e-9;
-
-/// A rotation that is ambiguous, since only its end is known.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Warning {
-    /// The state, counted from 0.
-    pub state: usize,
-    /// The node.
-    pub node: String,
-    /// The size of the change of the rotation vector.
-    pub angle: f64,
-}
-
-impl fmt::Display for Warning {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { state, node, angle } = self;
-        let degrees = angle.to_degrees();
-        write!(
-            f,
-            "frames[{state}], node {node:?}: its rotation vector changes by {angle:.4} ({degrees:.1}°) and not along one axis, so how it \
-             turned is not known; angles take the shortest way. Add states between"
-        )
-    }
-}
 
 /// Rotation vectors of nodes at two states, between which they are known.
 pub(super) struct Way<'f> {

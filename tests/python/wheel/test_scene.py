@@ -84,3 +84,18 @@ def test_a_scene_names_arrays(tmp_path, save):
     save(tmp_path / "many.npz", **arrays | {"u": np.asfortranarray(u)})
     with pytest.raises(ValueError, match="Fortran order; allowed is C order"):
         jointproof.scene(path)
+
+
+def test_a_frame_of_pandas_is_a_history(tmp_path):
+    pd = wanted("pandas")
+    bare = {key: value for key, value in SCENE.items() if key != "frames"}
+    nodes = pd.DataFrame({"time": [1.0, 2.0, 3.0], "node": "car", "u1": [0.5, 1.0, 0.1 + 1.4], "step": 1})
+    loads = pd.DataFrame({"time": [1.0, 2.0, 3.0], "element": "guide", "f2": [3, 6, 9], "f3": [4, 8, 12]})
+    expected = jointproof.scene(SCENE)
+    nodes.to_csv(tmp_path / "nodes.csv", index=False)
+    for table in (nodes, nodes.set_index(["time", "node"]), tmp_path / "nodes.csv"):
+        scene = jointproof.scene(bare, nodes=table, loads=loads)
+        assert all(np.array_equal(scene[column], expected[column]) for column in expected.columns)
+        assert len(scene.notes) == 1 and "step" in scene.notes[0]
+    with pytest.raises(ValueError, match=r'nodes, line 3, column 2 \("node"\)|no node of the scene'):
+        jointproof.scene(bare, nodes=nodes.assign(node="bus"))

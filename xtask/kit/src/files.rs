@@ -76,7 +76,11 @@ pub fn write_with<T>(path: &Path, content: impl FnOnce(&mut File) -> anyhow::Res
     let directory = if directory.as_os_str().is_empty() { Path::new(".") } else { directory };
     std::fs::create_dir_all(directory).with_context(|| format!("cannot make {}", directory.display()))?;
     let mut file = builder().tempfile_in(directory).with_context(|| format!("cannot write beside {shown}"))?;
-    let made = content(file.as_file_mut()).with_context(|| format!("cannot write {shown}"))?;
+    // What the content itself could not be made for is not an error of the file.
+    let made = content(file.as_file_mut()).map_err(|error| {
+        let is_of_file = error.is::<std::io::Error>();
+        if is_of_file { error.context(format!("cannot write {shown}")) } else { error }
+    })?;
     file.persist(path).with_context(|| format!("cannot rename to {shown}"))?;
     Ok(made)
 }

@@ -33,7 +33,7 @@ fn arc(kind: Interpolation, segments: u32, smoothed: bool) -> PlacedLine {
     let count = segments * stride + 1;
     let node = |k: u32| (k + 1, around(f64::from(k) / f64::from(count - 1), 1.0));
     let line = SlideLine::generate(kind, 1, count, 1).unwrap();
-    let line = if smoothed { line.smoothed(SlideLine::SMOOTHING).unwrap() } else { line };
+    let line = if smoothed { line.smoothed(0.2).unwrap() } else { line };
     line.place(&Nodes::new((0..count).map(node)).unwrap()).unwrap()
 }
 

@@ -97,8 +97,19 @@ struct Figure {
     unit: f64,
     /// The elements shown.
     of: &'static [&'static str],
+    /// What it is drawn over instead of time.
+    over: Option<Over>,
     /// A description of the picture for readers who cannot see it.
     description: &'static str,
+}
+
+/// The first component of an output, over which another one is drawn.
+struct Over {
+    name: &'static str,
+    element: &'static str,
+    output: &'static str,
+    label: &'static str,
+    unit: f64,
 }
 
 const FIGURES: &[Figure] = &[
@@ -108,6 +119,7 @@ const FIGURES: &[Figure] = &[
         label: "friction force, in N",
         unit: 1.0,
         of: &["telescope"],
+        over: None,
         description: "The friction force of the telescope over time: it grows while the contact sticks, stays at the limit \
             while it slips, grows with the load, and turns its sign when the telescope is pushed back.",
     },
@@ -117,6 +129,7 @@ const FIGURES: &[Figure] = &[
         label: "accumulated slip, in mm",
         unit: 1e-3,
         of: &["telescope"],
+        over: None,
         description: "The slip of the telescope, added up: it rises while the contact slips in either direction and \
             never falls.",
     },
@@ -126,6 +139,7 @@ const FIGURES: &[Figure] = &[
         label: "angle at the cross, in radians",
         unit: 1.0,
         of: &["first", "second"],
+        over: None,
         description: "The angle of the cross about the input yoke over one turn of the shaft, for both joints: it swings \
             between minus and plus the bend of the joint, twice in opposite phase.",
     },
@@ -135,6 +149,7 @@ const FIGURES: &[Figure] = &[
         label: "friction moment, in N m",
         unit: 1.0,
         of: &["first"],
+        over: None,
         description: "The moment of friction about the arm of the input yoke over one turn: it stays at the limit while the \
             cross swings one way, and passes over to the other limit where the swing turns back.",
     },
@@ -144,6 +159,7 @@ const FIGURES: &[Figure] = &[
         label: "torque, in kN m",
         unit: 1e6,
         of: &["box"],
+        over: None,
         description: "The torque that the thread can transmit over its history: zero until the flanks touch, then in \
             proportion to how far the pin is made up, and back to zero as it is backed off.",
     },
@@ -153,23 +169,92 @@ const FIGURES: &[Figure] = &[
         label: "distance from the normal, in units of length",
         unit: 1.0,
         of: &["inner", "middle", "outer"],
+        over: None,
         description: "The distances of the nodes through the thickness from the shell's normal: zero up to rounding until \
             in the last state the outer node leaves it.",
     },
+    Figure {
+        scene: "telescope",
+        output: "CSF1",
+        label: "friction force, in N",
+        unit: 1.0,
+        of: &["telescope"],
+        over: Some(Over { name: "loop", element: "telescope", output: "U1", label: "extension, in m", unit: 1.0 }),
+        description: "The friction force of the telescope over its extension: a loop, above while it slides out, below while it \
+            is pushed back, with steep sides where the contact sticks.",
+    },
+    Figure {
+        scene: "drive-shaft",
+        output: "RM",
+        label: "moment on the input shaft, in N m",
+        unit: -1.0,
+        of: &["first"],
+        over: Some(Over {
+            name: "angle",
+            element: "bearing in",
+            output: "UR1",
+            label: "angle of the input shaft, in degrees",
+            unit: DEGREE,
+        }),
+        description: "The moment that the first joint transmits to the input shaft over one turn: it varies between 173 and 200, \
+            twice in each turn, since the cross is inclined to the shaft.",
+    },
+    Figure {
+        scene: "drive-shaft",
+        output: "CSM1",
+        label: "friction moment of the bearings, in N m",
+        unit: 1.0,
+        of: &["bearing in", "bearing out"],
+        over: Some(Over {
+            name: "bearings",
+            element: "bearing in",
+            output: "UR1",
+            label: "angle of the input shaft, in degrees",
+            unit: DEGREE,
+        }),
+        description: "The friction moments of both bearings over one turn: each grows in the first increment and stays at its limit.",
+    },
+    Figure {
+        scene: "thread",
+        output: "T",
+        label: "torque, in kN m",
+        unit: 1e6,
+        of: &["box"],
+        over: Some(Over {
+            name: "make-up",
+            element: "thread 1",
+            output: "E12",
+            label: "slip of the pin along the box, in mm",
+            unit: -1.0,
+        }),
+        description: "The torque of the thread over how far the pin is made up: zero until the flanks touch at 0.8, then a straight \
+            line, up while it is made up and down while it is backed off.",
+    },
 ];
 
-/// The figures, with the name used in `{{#figure name}}`: `scene-telescope-CSF1`.
+const DEGREE: f64 = std::f64::consts::PI / 180.0;
+
+/// The figures, with the name used in `{{#figure name}}`: `scene-telescope-CSF1`, `scene-telescope-CSF1-loop`.
 pub(crate) fn figures(project: &Project) -> anyhow::Result<Vec<(String, String)>> {
     let mut drawn = Vec::new();
     for (name, scene) in scenes(project)? {
         let results = Results::exact(&scene).with_context(|| name.clone())?;
-        for Figure { output, label, unit, of, description, .. } in FIGURES.iter().filter(|figure| figure.scene == name)
+        for Figure { output, label, unit, of, over, description, .. } in
+            FIGURES.iter().filter(|figure| figure.scene == name)
         {
             let mut shown = results.clone();
+            if let Some(Over { element, output, unit, .. }) = over {
+                let at =
+                    |state| results.get(element, output, state).and_then(<[f64]>::first).map_or(f64::NAN, |x| x / unit);
+                shown.times = (0..results.times.len()).map(at).collect();
+            }
             shown.series.retain(|series| of.contains(&series.element.as_str()));
             shown.series.iter_mut().flat_map(|series| series.values.numbers_mut()).for_each(|value| *value /= unit);
-            let figure = format!("scene-{name}-{output}");
-            drawn.push((figure.clone(), plot::chart(&shown, output, &figure, label, description)));
+            let (figure, x) = match over {
+                None => (format!("scene-{name}-{output}"), "time"),
+                Some(Over { name: over, label, .. }) => (format!("scene-{name}-{output}-{over}"), *label),
+            };
+            drawn.push((figure.clone(), plot::chart(&shown, output, &figure, [x, label], description)));
         }
     }
     Ok(drawn)

@@ -18,9 +18,10 @@ use crate::{Outcome, files};
 use anyhow::Context;
 use generate::Generated;
 use jointproof::Octuple;
-use jointproof::scene::{Columns, Plan, Results, Scene, Warning};
+use jointproof::scene::{Columns, Plan, Results, Scene, Table, TableFault, Tables, Unwritten, Warning};
 use kit::{Project, Usage};
 use out::{Form, Target};
+use std::fs::File;
 use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -37,6 +38,7 @@ use std::time::{Duration, Instant};
   {command} scene golden/scenes/rail.json --plot .   an SVG per output over the history
   {command} scene *.json --format csv > all.csv      for a spreadsheet
   {command} scene - --format json < my.json          from standard input
+  {command} scene my.json --history u.csv            a table of displacements as the history
   {command} scene my.json --out results.npz          for numpy: np.load('results.npz')
   {command} scene --generate 10000 > many.json       a scene to measure with
   {command} scene --generate 100 --columns a.npz > a.json    another, its numbers as arrays
@@ -46,6 +48,15 @@ pub(crate) struct Arguments {
     /// Scene files; `-` is standard input
     #[arg(value_name = "FILE", required_unless_present_any = ["generate", "benchmark"])]
     files: Vec<PathBuf>,
+    /// A table of displacements (CSV: time, node, u1 … ur3) as the history, instead of that of the scene
+    #[arg(long, value_name = "FILE")]
+    history: Option<PathBuf>,
+    /// A table of loads (CSV: time, element, f1 … m3) with the times of the history
+    #[arg(long, value_name = "FILE")]
+    loads: Option<PathBuf>,
+    /// A table of pressures of hard contact (CSV: time, node, pressure) with the times of the history
+    #[arg(long, value_name = "FILE")]
+    pressures: Option<PathBuf>,
     /// Only print which formulas would be evaluated, how often and why
     #[arg(long)]
     plan: bool,
@@ -112,7 +123,10 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     let mut scenes = Vec::new();
     for path in &arguments.files {
         match read(path)? {
-            Ok(scene) => scenes.push((path, scene)),
+            Ok(scene) => match with_tables(arguments, scene) {
+                Ok(scene) => scenes.push((path, scene)),
+                Err(fault) => say(&fault.to_string()),
+            },
             Err(report) => say(&report),
         }
     }
@@ -127,8 +141,8 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
         if several && arguments.format == show::Format::Text {
             print(&format!("{}\n", shown(path)))?;
         }
-        let (text, on_the_way) = one(project, arguments, path, scene)?;
-        let warnings = [scene.warnings(), on_the_way].concat();
+        let (text, warnings) = one(project, arguments, path, scene)?;
+        scene.notes().iter().for_each(|note| say(&format!("note: {}: {note}", shown(path))));
         for warning in &warnings {
             say(&format!("{} {}: {warning}", yellow("warning:"), shown(path)));
         }
@@ -189,6 +203,16 @@ fn read(path: &Path) -> anyhow::Result<Result<Scene, String>> {
     }))
 }
 
+/// The scene with the history in the given tables, if there are any.
+fn with_tables(arguments: &Arguments, scene: Scene) -> Result<Scene, TableFault> {
+    let Arguments { history, loads, pressures, .. } = arguments;
+    let [nodes, loads, pressures] = [history, loads, pressures].map(|path| path.as_deref().map(Table::file));
+    if [&nodes, &loads, &pressures].iter().all(|table| table.is_none()) {
+        return Ok(scene);
+    }
+    scene.with_tables(Tables { nodes, loads, pressures })
+}
+
 /// What to do about a scene without outputs.
 fn nothing_wanted(path: &Path, scene: &Scene) -> String {
     let kinds = scene.elements().filter_map(|element| scene.kind(element));
@@ -211,16 +235,25 @@ fn one(
 ) -> anyhow::Result<(Option<String>, Vec<String>)> {
     let plan = Plan::new(scene);
     if arguments.plan {
-        return Ok((Some(show::plan(&plan, arguments.format)?), Vec::new()));
+        return Ok((Some(show::plan(&plan, arguments.format)?), scene.warnings()));
     }
     if plan.lines().is_empty() {
         return Err(Usage(nothing_wanted(path, scene)).into());
     }
-    let in_words = |warnings: Vec<Warning>| warnings.iter().map(ToString::to_string).collect();
+    let in_words = |warnings: Vec<Warning>| {
+        let on_the_way = warnings.iter().map(ToString::to_string);
+        scene.warnings().into_iter().chain(on_the_way).collect()
+    };
     let format = match &arguments.out {
         Some(Target { path, form: Form::Arrays }) => {
             let bar = progress("scene", scene.times().len());
-            let warnings = files::write_with(path, |file| Ok(Columns::stream(&plan, file, || bar.inc(1))?))?;
+            let stream = |file: &mut File| {
+                Columns::stream(&plan, file, || bar.inc(1)).map_err(|unwritten| match unwritten {
+                    Unwritten::Io(error) => error.into(),
+                    unwritten => anyhow::Error::from(unwritten),
+                })
+            };
+            let warnings = files::write_with(path, stream)?;
             bar.finish_and_clear();
             return Ok((None, in_words(warnings)));
         }

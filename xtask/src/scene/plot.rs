@@ -15,11 +15,12 @@ pub(crate) fn charts(results: &Results) -> Vec<(&'static str, String)> {
             outputs.push(series.output);
         }
     }
-    outputs.into_iter().map(|output| (output, chart(results, output, output, output, ""))).collect()
+    outputs.into_iter().map(|output| (output, chart(results, output, output, ["time", output], ""))).collect()
 }
 
-/// One output over time.
-pub(crate) fn chart(results: &Results, output: &str, name: &str, label: &str, description: &str) -> String {
+/// The first component of an output over what the results have as times; `labels` are those of the axes.
+pub(crate) fn chart(results: &Results, output: &str, name: &str, labels: [&str; 2], description: &str) -> String {
+    let [x, label] = labels;
     let alone = results.series.iter().filter(|series| series.output == output).count() == 1;
     let of_output = results.series.iter().filter(|series| series.output == output).take(CURVES);
     let curves: Vec<_> = of_output
@@ -36,13 +37,14 @@ pub(crate) fn chart(results: &Results, output: &str, name: &str, label: &str, de
         .collect();
     let values = || curves.iter().flat_map(|curve| curve.points.iter().map(|&(_, value)| value));
     let what = label.split(',').next().unwrap_or(label);
-    let title = format!("{what} over time");
+    let over = x.split(',').next().unwrap_or(x);
+    let title = format!("{what} over {over}");
     let description = if description.is_empty() { &title } else { description };
     Chart {
         name,
         title: &title,
         description,
-        x: Axis::linear("time", results.times.iter().copied()),
+        x: Axis::linear(x, results.times.iter().copied()),
         y: Axis::linear(label, values()),
         curves,
     }

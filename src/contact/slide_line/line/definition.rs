@@ -10,7 +10,7 @@ use crate::contact::slide_line::{
 };
 use crate::formula::Formula;
 use crate::formula::error::Error;
-use crate::formula::quantity::FRACTION;
+use crate::formula::quantity::{EXTENSION_ZONE, SMOOTH};
 use nalgebra::Vector2;
 use std::sync::Arc;
 
@@ -56,13 +56,13 @@ impl Sequence {
 
 /// A slide line (\*SLIDE LINE): the master surface, on which slide-line elements slide.
 ///
-/// The sequence of the nodes determines the tangent, and with it the side of the slave: to the left. A line whose last node is
-/// its first is not treated as closed.
+/// The sequence of the nodes determines the tangent, and with it the side of the slave: to the left. An open line is extended
+/// at either end. A line whose last node is its first has no ends to extend, and is not treated as closed otherwise.
 ///
 /// ```
 /// use jointproof::contact::slide_line::{Interpolation, Nodes, Place, SlideLine};
 /// let nodes = Nodes::new([(10, [1.0, 0.0]), (20, [2.0, 0.0]), (30, [3.0, 1.0])])?;
-/// let line = SlideLine::generate(Interpolation::Linear, 10, 30, 10)?.smoothed(SlideLine::SMOOTHING)?;
+/// let line = SlideLine::generate(Interpolation::Linear, 10, 30, 10)?.smoothed(0.2)?;
 /// let closest = line.place(&nodes)?.closest([1.5, 0.25].into())?;
 /// assert_eq!((closest.place, closest.separation), (Place::Segment { index: 0, g: 0.0 }, 0.25));
 ///
@@ -78,11 +78,12 @@ pub struct SlideLine {
     interpolation: Interpolation,
     sequence: Sequence,
     smoothing: Option<f64>,
+    extension: f64,
 }
 
 impl SlideLine {
-    /// The usual smoothing fraction if none is given.
-    pub const SMOOTHING: f64 = 0.2;
+    /// The fraction of the end segment by which an open line is extended if none is given (keyword page of \*SLIDE LINE).
+    pub const EXTENSION: f64 = 0.1;
 
     /// A slide line through these nodes.
     ///
@@ -110,18 +111,40 @@ impl SlideLine {
         if !interpolation.allows(sequence.len()) {
             return Err(Error::NodeCount { count: sequence.len(), allowed: interpolation.allowed() });
         }
-        Ok(Self { interpolation, sequence, smoothing: None })
+        Ok(Self { interpolation, sequence, smoothing: None, extension: Self::EXTENSION })
     }
 
-    /// Smooths the corners over the fraction `f` of each segment, 0 < f < ½; [`Self::SMOOTHING`] is usual.
+    /// Smooths the corners over the fraction `f` of each segment, 0 ≤ f < ½ (SMOOTH). The default is 0: corners are sharp.
     ///
     /// A corner between straight segments becomes a parabola, one between parabolas a cubic.
     ///
     /// # Errors
     /// `f` outside these bounds.
     pub fn smoothed(self, f: f64) -> Result<Self, Error> {
-        Error::check("f", None, f, FRACTION.domain)?;
-        Ok(Self { smoothing: Some(f), ..self })
+        Error::check("f", None, f, SMOOTH.domain)?;
+        Ok(Self { smoothing: Some(f).filter(|&f| f > 0.0), ..self })
+    }
+
+    /// Extends an open line at either end by a fraction of the length of its end segment, from 0 to 0.2 (EXTENSION ZONE).
+    /// The default is [`Self::EXTENSION`]; with 0 the line ends at its nodes.
+    ///
+    /// The line continues along the tangent at its end. Contact is transmitted there, and not beyond.
+    ///
+    /// ```
+    /// use jointproof::contact::slide_line::{Interpolation, Nodes, Place, SlideLine};
+    /// let nodes = Nodes::new([(1, [1.0, 0.0]), (2, [3.0, 0.0])])?;
+    /// let line = SlideLine::new(Interpolation::Linear, [1, 2])?;
+    /// let place = |line: &SlideLine| Ok::<_, jointproof::Error>(line.place(&nodes)?.closest([3.125, 1.0].into())?.place);
+    /// assert_eq!(place(&line)?, Place::Extension { number: 2, distance: 0.125 });
+    /// assert_eq!(place(&line.extended(0.0)?)?, Place::Beyond { number: 2, distance: 0.125 });
+    /// # Ok::<(), jointproof::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A `fraction` outside these bounds.
+    pub fn extended(self, fraction: f64) -> Result<Self, Error> {
+        Error::check("extension_zone", None, fraction, EXTENSION_ZONE.domain)?;
+        Ok(Self { extension: fraction, ..self })
     }
 
     /// Whether its segments are straight or parabolic.
@@ -132,6 +155,11 @@ impl SlideLine {
     /// The smoothing fraction, if its corners are smoothed.
     pub fn smoothing(&self) -> Option<f64> {
         self.smoothing
+    }
+
+    /// The fraction of the end segment by which it is extended if it is open.
+    pub fn extension(&self) -> f64 {
+        self.extension
     }
 
     /// The numbers of its nodes in sequence.
@@ -173,6 +201,7 @@ impl SlideLine {
     ) -> Result<PlacedLine<D>, Error> {
         // Done before the numbers are expanded: the first unknown node ends it.
         let positions = self.nodes().map(|node| check_position(node, position(node)?)).collect::<Result<_, _>>()?;
-        PlacedLine::new(self.interpolation, self.smoothing, self.sequence.numbers(), positions)
+        let Self { interpolation, smoothing, extension, sequence } = self;
+        PlacedLine::new(*interpolation, *smoothing, *extension, sequence.numbers(), positions)
     }
 }

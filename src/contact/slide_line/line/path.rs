@@ -52,7 +52,7 @@ impl<D: Scalar> PlacedLine<D> {
 
     /// The distance within a piece. On a curve it is integrated: the slip formula gives its rate, and the curve is divided where
     /// it bends.
-    fn path_length_within(&self, piece: Piece, u0: D, u1: D) -> D {
+    pub(super) fn path_length_within(&self, piece: Piece, u0: D, u1: D) -> D {
         if (self.interpolation, piece.is_corner()) == (Interpolation::Linear, false) {
             return self.rate_of_slip(piece, u1, u1 - u0);
         }

@@ -37,7 +37,14 @@ pub enum Place<D = f64> {
         /// Its number.
         number: u32,
     },
-    /// Past an end of the line, where the line is assumed to continue straight.
+    /// On the extension of the line past an end, along the tangent there.
+    Extension {
+        /// The number of the node at that end.
+        number: u32,
+        /// The distance past it, along the line; positive, in the unit of length.
+        distance: D,
+    },
+    /// Past the extension of an end of the line.
     Beyond {
         /// The number of the node at that end.
         number: u32,

@@ -17,6 +17,8 @@ use std::sync::Arc;
 pub struct PlacedLine<D = f64> {
     pub(super) interpolation: Interpolation,
     smoothing: Option<f64>,
+    /// The fraction of an end segment by which the line is extended.
+    extension: f64,
     numbers: Arc<[u32]>,
     nodes: Vec<Vector2<D>>,
     tree: Tree,
@@ -42,10 +44,13 @@ impl<D: Scalar> PlacedLine<D> {
     pub(super) fn new(
         interpolation: Interpolation,
         smoothing: Option<f64>,
+        extension: f64,
         numbers: Arc<[u32]>,
         nodes: Vec<Vector2<D>>,
     ) -> Result<Self, Error> {
-        let mut line = Self { interpolation, smoothing, numbers, nodes, tree: Tree::new(Vec::new()) };
+        let is_open = numbers.first() != numbers.last();
+        let extension = if is_open { extension } else { 0.0 };
+        let mut line = Self { interpolation, smoothing, extension, numbers, nodes, tree: Tree::new(Vec::new()) };
         (0..line.segments()).try_for_each(|segment| line.check_segment(segment))?;
         line.tree = Tree::new((0..line.pieces()).map(|piece| line.bounds(line.piece(piece))).collect());
         Ok(line)
@@ -84,6 +89,14 @@ impl<D: Scalar> PlacedLine<D> {
     pub(super) fn nodes_of<const N: usize>(&self, piece: Piece) -> [Vector2<D>; N] {
         let nodes = self.nodes[self.range(piece)].try_into();
         nodes.expect("the interpolation and the piece tell how many nodes there are")
+    }
+
+    /// The distance between the ends of the segment of a closest point.
+    #[cfg(feature = "scene")]
+    pub(crate) fn segment_length(&self, closest: &ClosestPoint<D>) -> D {
+        let (Piece::Segment(index) | Piece::Corner(index, _)) = self.piece(closest.foot.piece);
+        let range = self.range(Piece::Segment(index));
+        length(self.nodes[*range.end()] - self.nodes[*range.start()])
     }
 
     fn check_segment(&self, segment: usize) -> Result<(), Error> {
@@ -188,8 +201,14 @@ impl<D: Scalar> PlacedLine<D> {
         let place = match (piece.is_corner(), foot.inside) {
             (true, _) => Place::Corner { index, t: foot.u },
             (false, false) if is_end && foot.beyond > 0.0 => {
-                let node = if at_start { *range.start() } else { *range.end() };
-                Place::Beyond { number: self.numbers[node], distance: foot.beyond }
+                let number = self.numbers[if at_start { *range.start() } else { *range.end() }];
+                let distance = foot.beyond;
+                let extended = self.path_length_within(Piece::Segment(index), -D::one(), D::one()) * self.extension;
+                if distance <= extended {
+                    Place::Extension { number, distance }
+                } else {
+                    Place::Beyond { number, distance }
+                }
             }
             (false, false) if !is_end && self.smoothing.is_none() => {
                 return self.at_vertex(if at_start { index } else { index + 1 }, xs, evaluated);
@@ -197,8 +216,8 @@ impl<D: Scalar> PlacedLine<D> {
             _ => Place::Segment { index, g: foot.u },
         };
         let beyond = match place {
-            Place::Beyond { distance, .. } if at_start => -distance,
-            Place::Beyond { distance, .. } => distance,
+            Place::Extension { distance, .. } | Place::Beyond { distance, .. } if at_start => -distance,
+            Place::Extension { distance, .. } | Place::Beyond { distance, .. } => distance,
             _ => D::zero(),
         };
         let closest = ClosestPoint {

@@ -13,7 +13,8 @@ pub(super) fn document() -> Document {
         anchor: "slide-line",
         about: "A run of pages of a manual: the end of its Section 40.4.1, *Slide line contact elements*, from the local basis on, \
                 and Section 40.4.2, *Axisymmetric slide line element library*. The part before the local basis is missing \
-                in our text.",
+                in our text. The defaults of EXTENSION ZONE (0.1) and SMOOTH (0) are those of the public keyword page of \\*SLIDE LINE, \
+                which this section refers to.",
         found: "Look for Sections 40.4.1 and 40.4.2, Figures 40.4.1–3 to 40.4.1–5. The pages name the product Abaqus/Standard.",
         sections: &[
             "Defining the local basis system",
@@ -90,6 +91,8 @@ fn line() -> Vec<Statement> {
             .test("slide_line::generated_nodes_are_the_listed_ones"),
         covered("L22-s2", "Their sequence must make a continuous line.")
             .item::<SlideLine>()
+            .method(SlideLine::extended)
+            .test("slide_line::an_open_line_is_extended_by_a_part_of_its_end_segments")
             .test("slide_line::bad_lines_are_named"),
         covered("L22-s3", "It defines the tangent.").formulas(&[&slide_line::LocalBasis]),
         covered("L22-s4", "Segments are linear or parabolic, depending on the order of the elements.")

@@ -8,8 +8,8 @@ from . import _jointproof
 
 
 class Scene:
-    """The results of a scene: ``title``, ``times``, ``counts`` (how often each formula was evaluated), ``warnings``, and a column
-    for every output of every element: ``scene["guide", "FN"]``, a row for every state, NaN where the output is not there."""
+    """The results of a scene: ``title``, ``times``, ``counts`` (how often each formula was evaluated), ``warnings``, ``notes``
+    (columns of tables that were ignored), and a column for every output of every element: ``scene["guide", "FN"]``, a row for every state, NaN where the output is not there."""
 
     def __init__(self, results):
         import numpy as np
@@ -18,6 +18,7 @@ class Scene:
         self.times = np.array(results.times)
         self.counts = dict(results.counts)
         self.warnings = results.warnings
+        self.notes = results.notes
         self.columns = {(series.element, series.output): series.values for series in results.series}
 
     def __getitem__(self, element_and_output):
@@ -45,9 +46,13 @@ class Scene:
         return self.frame()._repr_html_()
 
 
-def scene(source, *, exact=False):
+def scene(source, *, exact=False, nodes=None, loads=None, pressures=None):
     """Evaluates a scene: the path of a file, its text, or a dict, in which arrays of NumPy are lists; in doubles, or in 237 bits rounded once.
-    A file may name one of arrays beside it, as ``numpy.savez`` writes it."""
+    A file may name one of arrays beside it, as ``numpy.savez`` writes it.
+
+    Tables may be its history, each a frame of pandas or the path of a CSV file, with a row for each state and node or element: ``nodes``
+    with ``time``, ``node`` and some of ``u1`` … ``ur3``, ``loads`` with ``time``, ``element`` and some of ``f1`` … ``m3``, and ``pressures`` with
+    ``time``, ``node`` and ``pressure``."""
     folder = None
     if isinstance(source, dict):
         text = json.dumps(source, default=_plain)
@@ -58,10 +63,19 @@ def scene(source, *, exact=False):
         with open(path, encoding="utf-8") as file:
             text = file.read()
         folder = os.path.dirname(path)
-    results = Scene(_jointproof.Scene(text, exact, folder))
+    tables = [_table(name, table) for name, table in [("nodes", nodes), ("loads", loads), ("pressures", pressures)]]
+    results = Scene(_jointproof.Scene(text, exact, folder, tables))
     for warning in results.warnings:
         warnings.warn(warning, stacklevel=2)
     return results
+
+
+def _table(name, table):
+    """The name and the text of a frame, or the path of a file."""
+    if not hasattr(table, "to_csv"):
+        return table
+    named = [level for level in table.index.names if level is not None]
+    return name, (table.reset_index(level=named) if named else table).to_csv(index=False).encode()
 
 
 def _plain(x):
