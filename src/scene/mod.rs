@@ -43,6 +43,7 @@
 //! states; a history in columns stays in its file, which is read once to check it and once by every run.
 
 mod columns;
+pub mod deck;
 mod json;
 mod kind;
 mod model;
@@ -56,6 +57,7 @@ mod schema;
 mod values;
 
 pub use columns::{Column, Columns, Unwritten};
+pub use deck::{Deck, LeftOut};
 pub use json::{Fault, Faults};
 pub use kind::{Dimension, Fallback, Kind, Origin, Use, When};
 pub use model::Scene;
