@@ -54,6 +54,7 @@ mod results;
 pub mod rules;
 mod run;
 mod schema;
+mod start;
 mod values;
 
 pub use columns::{Column, Columns, Unwritten};
@@ -65,4 +66,5 @@ pub use plan::{Plan, PlanLine};
 pub use results::{Results, Series};
 pub use run::{Culprit, Problem, Problems, Run, Stopped, Unreadable, Warning};
 pub use schema::schema;
+pub use start::{Start, StartNode};
 pub use values::Values;

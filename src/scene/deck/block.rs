@@ -91,7 +91,8 @@ impl Block {
         let Parameter { value, place, .. } = self.parameter(name)?;
         let label = value.as_deref().and_then(Label::new);
         if label.is_none() {
-            let found = value.as_deref().map_or_else(|| format!("{name} without a value"), |value| format!("{value:?}"));
+            let found =
+                value.as_deref().map_or_else(|| format!("{name} without a value"), |value| format!("{value:?}"));
             log.fault(*place, found, format!("{name}=, followed by a name"));
         }
         Some((label?, *place))
@@ -165,7 +166,8 @@ fn include(sources: &mut Sources, name: &str, folder: Option<&Path>, depth: usiz
     if sources.count() == FILES {
         return Err((format!("{name:?} after {FILES} files"), format!("at most {FILES} files")));
     }
-    let bytes = std::fs::read(folder.join(name)).map_err(|error| (format!("{name:?}: {error}"), "a file that can be read".to_owned()))?;
+    let bytes = std::fs::read(folder.join(name))
+        .map_err(|error| (format!("{name:?}: {error}"), "a file that can be read".to_owned()))?;
     sources.add(name, bytes).ok_or_else(|| (format!("{name:?}, which is too long"), "a file of less than 4 GiB".into()))
 }
 
@@ -231,7 +233,8 @@ fn keyword(parts: &[(&str, usize)], offset: impl Fn(usize) -> Place, log: &mut L
         log.fault(first.place, "a star", "a star followed by a keyword, or two stars and a comment");
     }
     for Field { text, place } in all.filter(|field| !field.text.is_empty()) {
-        let (name, value) = text.split_once('=').map_or((text, None), |(name, value)| (name, Some(value.trim().into())));
+        let (name, value) =
+            text.split_once('=').map_or((text, None), |(name, value)| (name, Some(value.trim().into())));
         let parameter = Parameter { name: without_blanks(name).to_uppercase(), value, place };
         if block.parameter(&parameter.name).is_some() {
             log.fault(place, format!("{} for the second time", parameter.name), "each parameter once");

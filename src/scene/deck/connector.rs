@@ -17,9 +17,15 @@ pub(super) fn section(reading: &mut Reading, block: &Block) {
         .map(|field| (without_blanks(field.text).to_uppercase(), field.place))
         .collect();
     match kinds[..] {
-        [] => reading.fault(block.place, "no type of connection", "a data line with one type, or a basic type of each kind"),
+        [] => reading.fault(
+            block.place,
+            "no type of connection",
+            "a data line with one type, or a basic type of each kind",
+        ),
         [_] | [_, _] => {}
-        [_, _, (_, place), ..] => reading.fault(place, "a third type of connection", "one type, or a basic type of each kind"),
+        [_, _, (_, place), ..] => {
+            reading.fault(place, "a third type of connection", "one type, or a basic type of each kind")
+        }
     }
     let mut orientations = [None, None];
     if let Some(line) = lines.next() {
@@ -47,7 +53,11 @@ pub(super) fn section(reading: &mut Reading, block: &Block) {
 pub(super) fn behavior(reading: &mut Reading, block: &Block) {
     let Some((label, place)) = block.required(&mut reading.log, "NAME") else { return };
     if reading.model.behaviors.contains_key(&label.key) {
-        return reading.fault(place, format!("connector behavior {:?} for the second time", label.shown), "each name once");
+        return reading.fault(
+            place,
+            format!("connector behavior {:?} for the second time", label.shown),
+            "each name once",
+        );
     }
     let index = reading.model.behaviors.insert_full(label.key, super::model::Behavior::default()).0;
     reading.context = Context::Behavior(index);
@@ -107,7 +117,11 @@ pub(super) fn stop(reading: &mut Reading, block: &Block) {
     }
     if let (Some(behavior), Some(component)) = (of(reading, block), component) {
         if behavior.stops.iter().any(|&(known, ..)| known == component) {
-            return reading.fault(block.place, format!("a stop of component {component} for the second time"), "each once");
+            return reading.fault(
+                block.place,
+                format!("a stop of component {component} for the second time"),
+                "each once",
+            );
         }
         behavior.stops.push((component, limits, block.place));
     }
@@ -140,7 +154,11 @@ pub(super) fn reference(reading: &mut Reading, block: &Block) {
     }
     if let Some(behavior) = of(reading, block) {
         if !behavior.reference.is_empty() {
-            return reading.fault(block.place, "references for the second time", "one *CONNECTOR CONSTITUTIVE REFERENCE");
+            return reading.fault(
+                block.place,
+                "references for the second time",
+                "one *CONNECTOR CONSTITUTIVE REFERENCE",
+            );
         }
         behavior.reference.append(&mut given);
     }

@@ -111,7 +111,8 @@ mod tests {
 
     #[test]
     fn numbers_may_have_exponents_of_fortran() {
-        for (text, value) in [("1", 1.0), ("-.5", -0.5), ("2.", 2.0), ("1d3", 1000.0), ("-2.5D-1", -0.25), ("+1E2", 100.0)]
+        for (text, value) in
+            [("1", 1.0), ("-.5", -0.5), ("2.", 2.0), ("1d3", 1000.0), ("-2.5D-1", -0.25), ("+1E2", 100.0)]
         {
             assert_eq!(number(text), Some(value), "{text}");
         }

@@ -104,8 +104,12 @@ const KEYWORDS: &[Keyword] = &[
         ],
     )
     .without_effect(&["CONTROLS", "ELIMINATION"]),
-    keyword("CONNECTOR BEHAVIOR", &["NAME"], connector::behavior, &[])
-        .without_effect(&["INTEGRATION", "EXTRAPOLATION", "REGULARIZE", "RTOL"]),
+    keyword("CONNECTOR BEHAVIOR", &["NAME"], connector::behavior, &[]).without_effect(&[
+        "INTEGRATION",
+        "EXTRAPOLATION",
+        "REGULARIZE",
+        "RTOL",
+    ]),
     keyword(
         "CONNECTOR FRICTION",
         &["PREDEFINED", "STICKSTIFFNESS"],
@@ -154,7 +158,9 @@ const KEYWORDS: &[Keyword] = &[
 pub fn table() -> Vec<[String; 4]> {
     let mut table: Vec<_> = STRUCTURE.iter().map(|row| row.map(String::from)).collect();
     for Keyword { name, rows, .. } in KEYWORDS {
-        table.extend(rows.iter().map(|[given, key, unit]| [format!("*{name}"), (*given).into(), (*key).into(), (*unit).into()]));
+        table.extend(
+            rows.iter().map(|[given, key, unit]| [format!("*{name}"), (*given).into(), (*key).into(), (*unit).into()]),
+        );
         match *name {
             "CONNECTOR FRICTION" => table.extend(PREDEFINED.iter().flat_map(|&(kind, parameters)| {
                 let row = move |(field, parameter): (usize, &&str)| {

@@ -33,7 +33,11 @@ pub(super) fn node(reading: &mut Reading, block: &Block) {
             }
         }
         if rest > 0 {
-            reading.fault(line.place, format!("a line of {} fields", 7 + rest), "a number, three coordinates, and a normal");
+            reading.fault(
+                line.place,
+                format!("a line of {} fields", 7 + rest),
+                "a number, three coordinates, and a normal",
+            );
         }
         if in_cylinder {
             at = cylindrical(at);
@@ -136,7 +140,11 @@ fn members(reading: &mut Reading, block: &Block) -> Vec<Item> {
 pub(super) fn range(reading: &mut Reading, line: Line) -> Option<(u32, u32, u32)> {
     let fields: Vec<_> = line.fields().collect();
     let (&[first, last, ref rest @ ..], true) = (&fields[..], fields.len() <= 3) else {
-        reading.fault(line.place, format!("{} numbers", fields.len()), "the first, the last, and the increment if it is not 1");
+        reading.fault(
+            line.place,
+            format!("{} numbers", fields.len()),
+            "the first, the last, and the increment if it is not 1",
+        );
         return None;
     };
     let step = rest.first().filter(|step| !step.text.is_empty());
@@ -190,7 +198,11 @@ pub(super) fn orientation(reading: &mut Reading, block: &Block) {
             2.0 => 1,
             3.0 => 2,
             _ => {
-                reading.fault(line.place, format!("{axis:?}"), "the local direction 1, 2 or 3, and an angle in degrees");
+                reading.fault(
+                    line.place,
+                    format!("{axis:?}"),
+                    "the local direction 1, 2 or 3, and an angle in degrees",
+                );
                 return None;
             }
         };

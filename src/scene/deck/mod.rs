@@ -161,6 +161,10 @@ fn left_out(sources: &Sources, blocks: &[Block], Note { place, what, matters }: 
 impl std::fmt::Display for LeftOut {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let Self { file, line, keyword, what, .. } = self;
-        write!(f, "{keyword} ({}line {line}): {what}", file.as_ref().map(|file| format!("{file}, ")).unwrap_or_default())
+        write!(
+            f,
+            "{keyword} ({}line {line}): {what}",
+            file.as_ref().map(|file| format!("{file}, ")).unwrap_or_default()
+        )
     }
 }

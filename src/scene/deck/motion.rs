@@ -32,7 +32,8 @@ pub(super) fn exactly(v: [f64; 3]) -> V {
 }
 
 pub(super) fn rounded(v: V) -> [f64; 3] {
-    [0, 1, 2].map(|k| v[k].to_f64())
+    // Without negative zeros.
+    [0, 1, 2].map(|k| v[k].to_f64() + 0.0)
 }
 
 fn unit(v: V) -> V {
@@ -84,8 +85,7 @@ impl Motion {
 /// A point in cylindrical coordinates: radius, angle in degrees, height.
 pub(super) fn cylindrical([r, degrees, z]: [f64; 3]) -> [f64; 3] {
     let (sine, cosine) = sin_cos(degrees);
-    let r = Octuple::from(r);
-    [(r * cosine).to_f64(), (r * sine).to_f64(), z]
+    rounded(Vector3::new(cosine, sine, Octuple::from(0.0)) * Octuple::from(r) + exactly([0.0, 0.0, z]))
 }
 
 /// The first axis, and a vector in the plane of the first two; point a is on the first axis, or on the third, b in the plane of the
@@ -127,7 +127,9 @@ mod tests {
     fn quarter_turns_are_exact() {
         let quarter = Motion::new([1.0, 0.0, 0.0], Some(([0.0; 3], [0.0, 0.0, 2.0], 90.0))).unwrap();
         assert_eq!(quarter.of_point([1.0, 0.5, 3.0]), [-0.5, 2.0, 3.0]);
-        for (degrees, expected) in [(-90.0, [0.0, -1.0]), (180.0, [-1.0, 0.0]), (450.0, [0.0, 1.0]), (-720.0, [1.0, 0.0])] {
+        for (degrees, expected) in
+            [(-90.0, [0.0, -1.0]), (180.0, [-1.0, 0.0]), (450.0, [0.0, 1.0]), (-720.0, [1.0, 0.0])]
+        {
             assert_eq!(cylindrical([1.0, degrees, 0.5]), [expected[0], expected[1], 0.5], "{degrees}");
         }
         assert!(Motion::new([0.0; 3], Some(([1.0; 3], [1.0; 3], 90.0))).is_none());

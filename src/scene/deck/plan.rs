@@ -40,10 +40,8 @@ fn with(
     let plan = |kind: &'static Kind| {
         let parameters = parameters(kind);
         let given = |name| parameters.iter().find(|(known, ..)| *known == name).map(|&(_, number, _)| number);
-        let all: Vec<_> = kind
-            .parameters()
-            .map(|(name, _)| given(name).map_or(Parameter::Absent, Parameter::One))
-            .collect();
+        let all: Vec<_> =
+            kind.parameters().map(|(name, _)| given(name).map_or(Parameter::Absent, Parameter::One)).collect();
         Planned { kind, outputs: answerable(kind, &all, 1), parameters }
     };
     kinds.into_iter().map(plan).collect()
@@ -51,9 +49,7 @@ fn with(
 
 fn kinds(section: &Section, dimension: Dimension, log: &mut Log) -> Vec<&'static Kind> {
     if let [(first, _), (second, _)] = &section.kinds[..] {
-        let is_pair = |pair: &&([&str; 2], &str)| {
-            pair.0 == [first, second] || pair.0 == [second, first]
-        };
+        let is_pair = |pair: &&([&str; 2], &str)| pair.0 == [first, second] || pair.0 == [second, first];
         if let Some(kind) = ASSEMBLED.iter().find(is_pair).and_then(|(_, name)| kind(name, dimension)) {
             return vec![kind];
         }
@@ -160,7 +156,11 @@ fn friction(
                 if is_required {
                     let place = given.map_or(friction.place, |&(_, place)| place);
                     let allowed = format!("a number in field {}, the {}", k + 1, kind.meaning(name));
-                    log.fault(place, format!("no {name:?}, needed for the friction of {}", kind.name.to_uppercase()), allowed);
+                    log.fault(
+                        place,
+                        format!("no {name:?}, needed for the friction of {}", kind.name.to_uppercase()),
+                        allowed,
+                    );
                 }
             }
         }
@@ -175,7 +175,9 @@ fn friction(
     }
     match friction.stick {
         Some((stick, place)) => all.push(("k_stick", stick, place)),
-        None => log.leave_out(friction.place, "STICK STIFFNESS is not given: outputs that need it are not wanted", true),
+        None => {
+            log.leave_out(friction.place, "STICK STIFFNESS is not given: outputs that need it are not wanted", true)
+        }
     }
     all
 }

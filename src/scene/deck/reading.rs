@@ -89,8 +89,8 @@ impl<'s> Reading<'s> {
 
     /// The scope of a name, and the name in it: `instance.name` is in an instance.
     pub(super) fn scoped<'t>(&self, text: &'t str) -> (Scope, &'t str) {
-        let instance = Label::split(text)
-            .and_then(|(instance, rest)| Some((*self.model.scope_of.get(&instance.key)?, rest)));
+        let instance =
+            Label::split(text).and_then(|(instance, rest)| Some((*self.model.scope_of.get(&instance.key)?, rest)));
         instance.unwrap_or((self.scope, text))
     }
 
@@ -137,7 +137,8 @@ impl<'s> Reading<'s> {
         let parameter = block.parameter(name)?;
         let text = parameter.value.as_deref().unwrap_or_default();
         let written = super::field::without_blanks(text).to_uppercase();
-        let word = words.iter().find(|(word, _)| super::field::without_blanks(word) == written).map(|(_, value)| *value);
+        let word =
+            words.iter().find(|(word, _)| super::field::without_blanks(word) == written).map(|(_, value)| *value);
         if word.is_none() {
             let allowed = words.iter().map(|(word, _)| *word).collect::<Vec<_>>().join(" or ");
             self.fault(parameter.place, format!("{name}={text}"), format!("{name}={allowed}"));

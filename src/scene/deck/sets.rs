@@ -54,7 +54,11 @@ pub(super) fn members(
                         let mut names: Vec<_> = sets.keys().map(|(_, name)| name).collect();
                         names.sort_unstable();
                         names.dedup();
-                        let allowed = if names.is_empty() { "no set, there are none".into() } else { format!("one of {}", some_of(names.into_iter())) };
+                        let allowed = if names.is_empty() {
+                            "no set, there are none".into()
+                        } else {
+                            format!("one of {}", some_of(names.into_iter()))
+                        };
                         log.fault(*place, format!("no {what} set {key:?}"), allowed);
                     }
                     Some(name) => {

@@ -28,7 +28,8 @@ pub(super) struct Sources(Vec<Source>);
 impl Sources {
     /// Adds a file. Bytes that are not UTF-8 are replaced: comments may be in any encoding. `None` if the file is too long.
     pub(super) fn add(&mut self, name: &str, bytes: Vec<u8>) -> Option<u32> {
-        let text = String::from_utf8(bytes).unwrap_or_else(|error| String::from_utf8_lossy(error.as_bytes()).into_owned());
+        let text =
+            String::from_utf8(bytes).unwrap_or_else(|error| String::from_utf8_lossy(error.as_bytes()).into_owned());
         u32::try_from(text.len()).ok()?;
         self.0.push(Source { name: name.into(), text });
         u32::try_from(self.0.len() - 1).ok()

@@ -71,7 +71,8 @@ impl Triads {
         let named = candidates(model, scope, &label.key).into_iter().find(|name| model.orientations.contains_key(name));
         let Some(named) = named else {
             let names = some_of(model.orientations.values().map(|orientation| &orientation.shown));
-            let allowed = if names.is_empty() { "no orientation, there are none".into() } else { format!("one of {names}") };
+            let allowed =
+                if names.is_empty() { "no orientation, there are none".into() } else { format!("one of {names}") };
             log.fault(place, format!("no orientation {:?}", label.shown), allowed);
             return None;
         };

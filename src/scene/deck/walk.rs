@@ -76,7 +76,11 @@ fn one(reading: &mut Reading, block: &Block) {
         }
         reading.context = Context::Nothing;
         if block.name == "SYSTEM" {
-            return reading.fault(block.place, "a system in which the nodes below are given", "nodes in global coordinates");
+            return reading.fault(
+                block.place,
+                "a system in which the nodes below are given",
+                "nodes in global coordinates",
+            );
         }
         return reading.log.leave_out(block.place, "not read", MAKERS.contains(&&*block.name));
     };
@@ -137,7 +141,11 @@ fn placed(reading: &mut Reading, block: &Block) -> Option<Motion> {
     }
     let motion = Motion::new(by, Some(([ax, ay, az], [bx, by_, bz], angle)));
     if motion.is_none() {
-        reading.fault(line.place, "an axis of which both points are the same", "two points of the axis, and an angle in degrees");
+        reading.fault(
+            line.place,
+            "an axis of which both points are the same",
+            "two points of the axis, and an angle in degrees",
+        );
     }
     motion
 }

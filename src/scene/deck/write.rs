@@ -35,7 +35,8 @@ pub(super) fn write(model: &Model, log: &mut Log) -> Text {
     let owners = |named: Vec<(u32, &str, Place)>, what, is_of: &dyn Fn(&Element) -> bool, log: &mut Log| {
         owners(model, named, what, is_of, log)
     };
-    let named = model.sections.iter().map(|section| (section.scope, &*section.elements.0.key, section.elements.1)).collect();
+    let named =
+        model.sections.iter().map(|section| (section.scope, &*section.elements.0.key, section.elements.1)).collect();
     let sections = owners(named, "connector section", &|element| !element.of.slides(), log);
     let named = model.lines.iter().map(|line| (line.scope, &*line.elements.0.key, line.elements.1)).collect();
     let lines = owners(named, "slide line", &|element| element.of.slides(), log);
@@ -73,7 +74,11 @@ fn dimension(model: &Model, log: &mut Log) -> Option<Dimension> {
     };
     if let Some(element) = model.elements.values().find(|element| !allowed(element)) {
         let name = Type::ALL.iter().find(|(_, of)| *of == element.of).map_or("", |(name, _)| name);
-        log.fault(element.place, format!("an element of type {name} in a model that is {}", dimension.name()), "elements of one dimension");
+        log.fault(
+            element.place,
+            format!("an element of type {name} in a model that is {}", dimension.name()),
+            "elements of one dimension",
+        );
         return None;
     }
     Some(dimension)
@@ -145,7 +150,11 @@ impl<'m> Draft<'m> {
             if element.of.slides() {
                 for (owner, keyword) in [(self.lines[index], "*SLIDE LINE"), (self.interfaces[index], "*INTERFACE")] {
                     if owner.is_none() {
-                        log.fault(element.place, format!("an element of no {keyword}"), "an element of one of its sets");
+                        log.fault(
+                            element.place,
+                            format!("an element of no {keyword}"),
+                            "an element of one of its sets",
+                        );
                     }
                 }
                 continue;
@@ -165,11 +174,16 @@ impl<'m> Draft<'m> {
         for (node, place) in of_lines.chain(of_sliders).collect::<Vec<_>>() {
             self.use_node(node, place, log);
         }
-        let planned = |index: usize| self.sections[index].is_none_or(|section| !self.plans[section as usize].is_empty());
+        let planned =
+            |index: usize| self.sections[index].is_none_or(|section| !self.plans[section as usize].is_empty());
         if self.sliders.is_empty() && !(0..self.model.elements.len()).any(planned) {
             let first = self.model.elements.values().next();
             let place = first.map_or(Place { file: 0, at: 0 }, |element| element.place);
-            log.fault(place, "no connector that a scene can have", "elements CONN3D2, CONN2D2, ISL21A or ISL22A, or *MPC SLIDER");
+            log.fault(
+                place,
+                "no connector that a scene can have",
+                "elements CONN3D2, CONN2D2, ISL21A or ISL22A, or *MPC SLIDER",
+            );
         }
     }
 
@@ -284,7 +298,9 @@ impl<'m> Draft<'m> {
         }
         let smoothing = keys::SLIDE_LINE.iter().any(|key| ["smooth", "smoothing"].contains(key));
         let extension = keys::SLIDE_LINE.contains(&"extension_zone");
-        for (given, is_read, name) in [(line.smooth, smoothing, "SMOOTH"), (line.extension, extension, "EXTENSION ZONE")] {
+        for (given, is_read, name) in
+            [(line.smooth, smoothing, "SMOOTH"), (line.extension, extension, "EXTENSION ZONE")]
+        {
             if let Some((_, place)) = given.filter(|_| !is_read) {
                 log.leave_out(place, format!("the parameter {name}"), true);
             }
@@ -336,10 +352,11 @@ impl<'m> Draft<'m> {
     /// The outputs of the scene: of each kind those that all its elements can have.
     fn outputs(&self) -> Vec<&'static str> {
         let mut of_kinds: Vec<(&'static Kind, u64)> = Vec::new();
-        let mut note = |kind: &'static Kind, outputs: u64| match of_kinds.iter_mut().find(|(known, _)| known.name == kind.name) {
-            Some((_, all)) => *all &= outputs,
-            None => of_kinds.push((kind, outputs)),
-        };
+        let mut note =
+            |kind: &'static Kind, outputs: u64| match of_kinds.iter_mut().find(|(known, _)| known.name == kind.name) {
+                Some((_, all)) => *all &= outputs,
+                None => of_kinds.push((kind, outputs)),
+            };
         for section in self.sections.iter().flatten() {
             self.plans[*section as usize].iter().for_each(|plan| note(plan.kind, plan.outputs));
         }
@@ -369,7 +386,8 @@ impl<'m> Draft<'m> {
         let of_deck = self.model.elements.iter().enumerate().flat_map(|(index, (&number, element))| {
             let plans = self.sections[index].map(|section| &*self.plans[section as usize]).unwrap_or_default();
             let sliding = self.lines[index].and_then(|line| Some((self.sliding_kind(element)?, line)));
-            let connectors = plans.iter().map(move |plan| Entry::Connector(index, number, element, plan, plans.len() > 1));
+            let connectors =
+                plans.iter().map(move |plan| Entry::Connector(index, number, element, plan, plans.len() > 1));
             connectors.chain(sliding.map(|(kind, line)| Entry::Sliding(number, element, kind, line)))
         });
         let sliders = (0..self.sliders.len()).map(Entry::Slider);
@@ -386,7 +404,8 @@ impl<'m> Draft<'m> {
             Entry::Connector(index, number, element, plan, is_part) => {
                 let of = if is_part { format!(" {}", plan.kind.name) } else { String::new() };
                 text.from(element.place).key(&(self.model.shown(number) + &of));
-                let section = self.sections[index].map_or(element.place, |section| self.model.sections[section as usize].place);
+                let section =
+                    self.sections[index].map_or(element.place, |section| self.model.sections[section as usize].place);
                 text.from(section).json.push_str("{ ");
                 text.key(keys::ELEMENT[0]);
                 text.string(plan.kind.name);

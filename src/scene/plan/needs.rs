@@ -35,7 +35,10 @@ impl Needs {
     /// The required parameters that are not given.
     pub(in crate::scene) fn missing(&self, signature: &Signature) -> impl Iterator<Item = &'static str> {
         let is_required = |origin: Origin| origin == Origin::Parameter(Fallback::Required);
-        self.given.iter().filter(move |&&(name, origin)| is_required(origin) && !signature.gives(name)).map(|(name, _)| *name)
+        self.given
+            .iter()
+            .filter(move |&&(name, origin)| is_required(origin) && !signature.gives(name))
+            .map(|(name, _)| *name)
     }
 
     /// The needs of these registers.
@@ -91,7 +94,8 @@ pub(in crate::scene) fn answerable(kind: &'static Kind, parameters: &[Parameter]
     let parameters: Vec<_> = parameters.iter().collect();
     let is_answerable = |bit: usize| {
         let mut signatures = Signature::of_members(kind, &parameters, 1 << bit, count).into_iter();
-        kind.slides() || signatures.all(|(signature, _)| Needs::of_outputs(&signature).missing(&signature).next().is_none())
+        kind.slides()
+            || signatures.all(|(signature, _)| Needs::of_outputs(&signature).missing(&signature).next().is_none())
     };
     (0..kind.outputs().count()).filter(|&bit| is_answerable(bit)).fold(0, |mask, bit| mask | 1 << bit)
 }

@@ -2,6 +2,8 @@
 
 mod bare;
 mod benchmark;
+mod deck;
+mod describe;
 mod examples;
 mod file_to_file;
 mod generate;
@@ -11,14 +13,14 @@ mod plot;
 mod show;
 
 pub(crate) use examples::{figures, golden, outputs, plans};
-pub(crate) use kinds::{anchor, served, tables};
+pub(crate) use kinds::{anchor, served};
 
 use crate::console::{print, progress, say, yellow};
 use crate::{Outcome, files};
 use anyhow::Context;
 use generate::Generated;
 use jointproof::Octuple;
-use jointproof::scene::{Columns, Plan, Results, Scene, Warning};
+use jointproof::scene::{Columns, Deck, Faults, Plan, Results, Scene, Warning};
 use kit::{Project, Usage};
 use out::{Form, Target};
 use std::io::{Read, Write};
@@ -28,7 +30,8 @@ use std::time::{Duration, Instant};
 
 /// Evaluate scenes: connectors and constraints together, over a history of states
 ///
-/// All errors in a scene are reported together, each with its JSON path, line and column; then nothing is evaluated.
+/// All errors in a scene are reported together, each with its JSON path, line and column; then nothing is evaluated. A scene may also be
+/// a deck, an input file of keywords: what of it is left out is said.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   {command} scene golden/scenes/rail.json            a table per output
@@ -38,6 +41,8 @@ use std::time::{Duration, Instant};
   {command} scene *.json --format csv > all.csv      for a spreadsheet
   {command} scene - --format json < my.json          from standard input
   {command} scene my.json --out results.npz          for numpy: np.load('results.npz')
+  {command} scene my.inp --write my.json             the scene that a deck describes
+  {command} scene my.inp --describe --out my.html    where its connectors are at the start, drawn
   {command} scene --generate 10000 > many.json       a scene to measure with
   {command} scene --generate 100 --columns a.npz > a.json    another, its numbers as arrays
   {command} scene --benchmark                        what an element costs per state")]
@@ -64,6 +69,13 @@ pub(crate) struct Arguments {
     /// Fail if something in a scene is ambiguous; without this it is only said
     #[arg(long)]
     deny_warnings: bool,
+    /// Only describe the elements at the start: geometry, parameters that are missing, what is undefined; with `--out FILE.html` as a
+    /// page with a drawing of each
+    #[arg(long, conflicts_with_all = ["plan", "error", "plot", "write"])]
+    describe: bool,
+    /// Write the scene that was read from a deck to this file, and evaluate nothing
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["out", "plan", "plot"])]
+    write: Option<PathBuf>,
     /// Print a scene of N sliding connectors
     #[arg(long, value_name = "N", conflicts_with_all = ["files", "benchmark"])]
     generate: Option<usize>,
@@ -85,6 +97,11 @@ pub(crate) struct Arguments {
     peak: Option<PathBuf>,
 }
 
+/// The book's tables of what is read.
+pub(crate) fn tables() -> Vec<(String, Vec<kit::Table>)> {
+    [kinds::tables(), deck::tables()].concat()
+}
+
 pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     if let Some(elements) = arguments.generate {
         let generated = Generated { of: arguments.of, connectors: elements, states: arguments.states };
@@ -102,6 +119,10 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
         benchmark::run()?;
         return Ok(ExitCode::SUCCESS);
     }
+    let is_page = arguments.out.as_ref().is_some_and(|target| target.form == Form::Page);
+    if arguments.out.is_some() && is_page != arguments.describe {
+        return Err(Usage("--describe writes a page, .html, and nothing else does".into()).into());
+    }
     if arguments.out.is_some() && arguments.files.len() > 1 {
         return Err(Usage("--out takes the results of one scene".into()).into());
     }
@@ -112,23 +133,35 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     let mut scenes = Vec::new();
     for path in &arguments.files {
         match read(path)? {
-            Ok(scene) => scenes.push((path, scene)),
+            Ok(loaded) => scenes.push((path, loaded)),
             Err(report) => say(&report),
         }
     }
     if scenes.len() < arguments.files.len() {
         return Ok(ExitCode::FAILURE);
     }
+    if let Some(target) = &arguments.write {
+        let texts: Vec<_> = scenes.iter().filter_map(|(_, loaded)| loaded.text.as_deref()).collect();
+        let [text] = texts[..] else { return Err(Usage("--write takes the scene of one deck".into()).into()) };
+        files::write(target, text)?;
+        for line in &scenes[0].1.left_out {
+            say(&format!("{} {}: {line}", yellow("warning:"), shown(scenes[0].0)));
+        }
+        return Ok(ExitCode::SUCCESS);
+    }
+    if arguments.describe {
+        return describe::run(arguments.out.as_ref(), &scenes);
+    }
     // Threads are started before the timing begins.
     rayon::broadcast(|_| ());
     let several = arguments.files.len() > 1;
     let (mut documents, mut ambiguous) = (Vec::new(), 0);
-    for (path, scene) in &scenes {
+    for (path, Loaded { scene, left_out, .. }) in &scenes {
         if several && arguments.format == show::Format::Text {
             print(&format!("{}\n", shown(path)))?;
         }
         let (text, on_the_way) = one(project, arguments, path, scene)?;
-        let warnings = [scene.warnings(), on_the_way].concat();
+        let warnings = [left_out.clone(), scene.warnings(), on_the_way].concat();
         for warning in &warnings {
             say(&format!("{} {}: {warning}", yellow("warning:"), shown(path)));
         }
@@ -172,21 +205,40 @@ fn bytes(path: &Path) -> std::io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
+/// A scene that was read from a file.
+struct Loaded {
+    scene: Scene,
+    /// If it was a deck: the scene as text, and what is left out of it though connectors depend on it.
+    text: Option<String>,
+    left_out: Vec<String>,
+}
+
 /// The scene in a file, or its faults.
-fn read(path: &Path) -> anyhow::Result<Result<Scene, String>> {
+fn read(path: &Path) -> anyhow::Result<Result<Loaded, String>> {
     let shown = shown(path);
+    let report = |faults: Faults| {
+        let lines = faults.list().iter().map(|fault| format!("{shown}: {fault}\n")).collect::<Vec<_>>().concat();
+        let count = faults.len();
+        format!("{lines}{shown}: {count} {}", if count == 1 { "fault" } else { "faults" })
+    };
     let bytes = bytes(path).with_context(|| format!("cannot read {shown}"))?;
+    // A path without a folder is relative to the current one, as is standard input.
+    let folder = path.parent().unwrap_or(Path::new(""));
+    if deck::is_deck(path, &bytes) {
+        let read = Deck::parse_in(folder, bytes).and_then(|deck| Ok((deck.scene()?, deck)));
+        let loaded = |(scene, deck): (Scene, Deck)| Loaded {
+            scene,
+            left_out: deck::left_out(&shown, &deck),
+            text: Some(deck.text().into()),
+        };
+        return Ok(read.map(loaded).map_err(report));
+    }
     let text = match String::from_utf8(bytes) {
         Ok(text) => text,
         Err(error) => return Ok(Err(format!("{shown}: byte {} is not UTF-8", error.utf8_error().valid_up_to()))),
     };
-    // A path without a folder is relative to the current one, as is standard input.
-    let folder = path.parent().unwrap_or(Path::new(""));
-    Ok(Scene::parse_in(folder, &text).map_err(|faults| {
-        let lines = faults.list().iter().map(|fault| format!("{shown}: {fault}\n")).collect::<Vec<_>>().concat();
-        let count = faults.len();
-        format!("{lines}{shown}: {count} {}", if count == 1 { "fault" } else { "faults" })
-    }))
+    let scene = Scene::parse_in(folder, &text).map_err(report);
+    Ok(scene.map(|scene| Loaded { scene, text: None, left_out: Vec::new() }))
 }
 
 /// What to do about a scene without outputs.
@@ -225,7 +277,7 @@ fn one(
             return Ok((None, in_words(warnings)));
         }
         Some(Target { form: Form::Printed(format), .. }) => *format,
-        None => arguments.format,
+        Some(Target { form: Form::Page, .. }) | None => arguments.format,
     };
     if format == show::Format::Csv && !arguments.error && arguments.plot.is_none() {
         let warnings = match &arguments.out {
