@@ -1,8 +1,8 @@
 //! Connector sections and their behavior.
 
-use super::block::Block;
-use super::field::without_blanks;
-use super::model::{Friction, Section};
+use super::block::{Block, Line};
+use super::field::{Label, without_blanks};
+use super::model::{Behavior, Friction, Section, Stop};
 use super::reading::{Context, Reading, found};
 
 pub(super) fn section(reading: &mut Reading, block: &Block) {
@@ -12,7 +12,7 @@ pub(super) fn section(reading: &mut Reading, block: &Block) {
     let first = lines.next();
     let kinds: Vec<_> = first
         .into_iter()
-        .flat_map(|line| line.fields())
+        .flat_map(Line::fields)
         .filter(|field| !field.text.is_empty())
         .map(|field| (without_blanks(field.text).to_uppercase(), field.place))
         .collect();
@@ -24,7 +24,7 @@ pub(super) fn section(reading: &mut Reading, block: &Block) {
         ),
         [_] | [_, _] => {}
         [_, _, (_, place), ..] => {
-            reading.fault(place, "a third type of connection", "one type, or a basic type of each kind")
+            reading.fault(place, "a third type of connection", "one type, or a basic type of each kind");
         }
     }
     let mut orientations = [None, None];
@@ -33,7 +33,7 @@ pub(super) fn section(reading: &mut Reading, block: &Block) {
             match orientations.get_mut(k) {
                 _ if field.text.is_empty() => {}
                 Some(orientation) => {
-                    let label = super::field::Label::new(field.text);
+                    let label = Label::new(field.text);
                     if label.is_none() {
                         reading.fault(field.place, found(field.text), "the name of an orientation");
                     }
@@ -59,12 +59,12 @@ pub(super) fn behavior(reading: &mut Reading, block: &Block) {
             "each name once",
         );
     }
-    let index = reading.model.behaviors.insert_full(label.key, super::model::Behavior::default()).0;
+    let index = reading.model.behaviors.insert_full(label.key, Behavior::default()).0;
     reading.context = Context::Behavior(index);
 }
 
 /// The behavior to which a block belongs; a fault if there is none.
-fn of<'r>(reading: &'r mut Reading, block: &Block) -> Option<&'r mut super::model::Behavior> {
+fn of<'r>(reading: &'r mut Reading, block: &Block) -> Option<&'r mut Behavior> {
     if let Context::Behavior(index) = reading.context {
         return reading.model.behaviors.get_index_mut(index).map(|(_, behavior)| behavior);
     }
@@ -116,14 +116,14 @@ pub(super) fn stop(reading: &mut Reading, block: &Block) {
         }
     }
     if let (Some(behavior), Some(component)) = (of(reading, block), component) {
-        if behavior.stops.iter().any(|&(known, ..)| known == component) {
+        if behavior.stops.iter().any(|stop| stop.component == component) {
             return reading.fault(
                 block.place,
                 format!("a stop of component {component} for the second time"),
                 "each once",
             );
         }
-        behavior.stops.push((component, limits, block.place));
+        behavior.stops.push(Stop { component, limits, place: block.place });
     }
 }
 
@@ -145,7 +145,7 @@ fn component(reading: &mut Reading, block: &Block) -> Option<u8> {
 pub(super) fn reference(reading: &mut Reading, block: &Block) {
     let mut given = Vec::new();
     let lines = block.full(reading.sources);
-    for (field, component) in lines.flat_map(|line| line.fields()).zip(1..) {
+    for (field, component) in lines.flat_map(Line::fields).zip(1..) {
         if component > 6 {
             reading.fault(field.place, found(field.text), "6 references");
             break;

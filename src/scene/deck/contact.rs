@@ -1,6 +1,6 @@
 //! Slide lines, interfaces, friction, and the constraint SLIDER.
 
-use super::block::Block;
+use super::block::{Block, Line};
 use super::field::without_blanks;
 use super::mesh::range;
 use super::model::{Interface, SlideLine};
@@ -62,15 +62,14 @@ pub(super) fn surface_behavior(reading: &mut Reading, block: &Block) {
         Some(Law::Hard) | None => &[],
     };
     let line = block.lines(reading.sources).next();
-    let mut fields = line.into_iter().flat_map(|line| line.fields());
+    let mut fields = line.into_iter().flat_map(Line::fields);
     for key in keys {
         let number = fields.next().and_then(|field| Some((reading.number(field)?, field.place)));
-        match number {
-            Some(number) => reading.model.interfaces[interface].pressure.push((key, number)),
-            None => {
-                let place = line.map_or(block.place, |line| line.place);
-                reading.fault(place, format!("no {key}"), format!("{} of the law", keys.join(" and ")));
-            }
+        if let Some(number) = number {
+            reading.model.interfaces[interface].pressure.push((key, number));
+        } else {
+            let place = line.map_or(block.place, |line| line.place);
+            reading.fault(place, format!("no {key}"), format!("{} of the law", keys.join(" and ")));
         }
     }
 }

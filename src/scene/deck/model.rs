@@ -146,13 +146,22 @@ pub(super) struct Section {
 #[derive(Default)]
 pub(super) struct Behavior {
     pub(super) friction: Option<Friction>,
-    /// Component, lower and upper limit, and where.
-    pub(super) stops: Vec<(u8, [Option<At<f64>>; 2], Place)>,
+    pub(super) stops: Vec<Stop>,
+    /// Components and their references.
     pub(super) reference: Vec<(u8, At<f64>)>,
     /// What of it the scene does not have.
     pub(super) others: Vec<At<String>>,
 }
 
+/// *CONNECTOR STOP.
+pub(super) struct Stop {
+    pub(super) component: u8,
+    /// Lower and upper.
+    pub(super) limits: [Option<At<f64>>; 2],
+    pub(super) place: Place,
+}
+
+/// *CONNECTOR FRICTION.
 pub(super) struct Friction {
     pub(super) place: Place,
     /// Whether it is predefined, and its parameters, in order.

@@ -1,7 +1,7 @@
 //! What of the scene each connector section gives: kinds, parameters and the outputs that they suffice for.
 
 use super::log::Log;
-use super::model::{Behavior, Model, Section};
+use super::model::{Behavior, Model, Section, Stop};
 use super::motion::radians;
 use super::source::Place;
 use super::terms::{ASSEMBLED, COMPONENTS, PREDEFINED, is_rotation, kind};
@@ -89,7 +89,8 @@ impl Used {
         if let Some(friction) = behavior.friction.as_ref().filter(|friction| friction.predefined && !self.friction) {
             log.leave_out(friction.place, "friction of this type of connection", true);
         }
-        for (component, _, place) in behavior.stops.iter().filter(|(component, ..)| !self.stops.contains(component)) {
+        for Stop { component, place, .. } in behavior.stops.iter().filter(|stop| !self.stops.contains(&stop.component))
+        {
             log.leave_out(*place, format!("component {component}, in which this type of connection has no stop"), true);
         }
         for (component, (_, place)) in &behavior.reference {
@@ -110,7 +111,7 @@ fn parameters(
     let mut all = friction(kind, behavior, used, log);
     let has = |name: &str| kind.parameters().any(|(known, _)| known == name);
     let named = |component: u8, which: usize| COMPONENTS[usize::from(component - 1)][which];
-    for (component, limits, _) in &behavior.stops {
+    for Stop { component, limits, .. } in &behavior.stops {
         let is_used = has(named(*component, 1));
         for (limit, which) in limits.iter().zip(1..) {
             if let Some((number, place)) = limit.filter(|_| is_used) {
@@ -176,7 +177,7 @@ fn friction(
     match friction.stick {
         Some((stick, place)) => all.push(("k_stick", stick, place)),
         None => {
-            log.leave_out(friction.place, "STICK STIFFNESS is not given: outputs that need it are not wanted", true)
+            log.leave_out(friction.place, "STICK STIFFNESS is not given: outputs that need it are not wanted", true);
         }
     }
     all

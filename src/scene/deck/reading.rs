@@ -1,7 +1,7 @@
 //! The state of reading a deck: fields as numbers, nodes and names, with a fault where they are something else.
 
 use super::block::Block;
-use super::field::{Field, Label, identifier, number};
+use super::field::{Field, Label, identifier, number, without_blanks};
 use super::log::Log;
 use super::model::{At, Item, Members, Model, Numbered, Reference, Scope};
 use super::motion::Motion;
@@ -136,9 +136,8 @@ impl<'s> Reading<'s> {
     pub(super) fn word<T: Copy>(&mut self, block: &Block, name: &str, words: &[(&str, T)]) -> Option<T> {
         let parameter = block.parameter(name)?;
         let text = parameter.value.as_deref().unwrap_or_default();
-        let written = super::field::without_blanks(text).to_uppercase();
-        let word =
-            words.iter().find(|(word, _)| super::field::without_blanks(word) == written).map(|(_, value)| *value);
+        let written = without_blanks(text).to_uppercase();
+        let word = words.iter().find(|(word, _)| without_blanks(word) == written).map(|(_, value)| *value);
         if word.is_none() {
             let allowed = words.iter().map(|(word, _)| *word).collect::<Vec<_>>().join(" or ");
             self.fault(parameter.place, format!("{name}={text}"), format!("{name}={allowed}"));

@@ -1,7 +1,7 @@
 //! From what a deck says to the text of a scene.
 
 use super::log::Log;
-use super::model::{Element, Interface, Model, Numbered, SlideLine};
+use super::model::{Element, Interface, Model, Numbered, Section, SlideLine, Type};
 use super::plan::{Planned, planned};
 use super::sets::{members, nodes_of};
 use super::source::Place;
@@ -52,7 +52,6 @@ pub(super) fn write(model: &Model, log: &mut Log) -> Text {
 
 /// The dimension of the elements.
 fn dimension(model: &Model, log: &mut Log) -> Option<Dimension> {
-    use super::model::Type;
     let of = |element: &Element| match element.of {
         Type::Connector => Dimension::Space,
         Type::PlaneConnector => Dimension::Plane,
@@ -188,7 +187,7 @@ impl<'m> Draft<'m> {
     }
 
     /// Gives the nodes of a connector the triads of its section.
-    fn orient(&mut self, kind: &Kind, section: &'m super::model::Section, [a, b]: [usize; 2], log: &mut Log) {
+    fn orient(&mut self, kind: &Kind, section: &'m Section, [a, b]: [usize; 2], log: &mut Log) {
         let is_plane = self.dimension != Dimension::Space;
         for (end, node) in [a, b].into_iter().enumerate() {
             if !kind.reads_triad(end) {
@@ -373,7 +372,6 @@ impl<'m> Draft<'m> {
     }
 
     fn sliding_kind(&self, element: &Element) -> Option<&'static Kind> {
-        use super::model::Type;
         let name = match element.of {
             Type::Linear => "isl21a",
             Type::Parabolic => "isl22a",
