@@ -180,7 +180,7 @@ O
     assert_eq!(
         left_out(&format!("{GUIDE}{more}")),
         [
-            "! *CONNECTOR ELASTICITY (line 18): *CONNECTOR ELASTICITY: connectors depend on it",
+            "! *CONNECTOR ELASTICITY (line 18): connectors depend on it",
             "*MATERIAL (line 20): not read",
             "*ELASTIC (line 21): not read",
             "*ELEMENT (line 23): elements of type C3D8R",

@@ -296,13 +296,16 @@ fn a_deck_is_a_scene_that_can_be_written_and_says_what_is_left_out() {
     let bench = Bench::new();
     let written = bench.path("gate.json");
     let ran = bench.run(&["scene", &gate(), "--write", &written.to_string_lossy()]).exits(0);
-    ran.says("gate.inp: *CONNECTOR DAMPING (line 46): ");
+    ran.says("gate.inp: *CONNECTOR DAMPING (line 47): ");
     assert_eq!(ran.stdout, "");
     let committed = fs::read_to_string(repository().join("golden/decks/gate.json")).unwrap();
     assert_eq!(fs::read_to_string(&written).unwrap(), committed);
     let results = |path: &str| bench.run(&["scene", path, "--format", "csv"]).exits(0).stdout;
     assert_eq!(results(&gate()), results(&written.to_string_lossy()));
-    bench.run(&["scene", &gate(), "--format", "csv", "--deny-warnings"]).exits(1).says("left out: *MATERIAL (line 48): not read");
+    bench
+        .run(&["scene", &gate(), "--format", "csv", "--deny-warnings"])
+        .exits(1)
+        .says("left out: *MATERIAL (line 49): not read");
     bench.run(&["scene", &scene("rail.json"), "--write", "x.json"]).bad_usage("--write takes the scene of one deck");
 }
 
@@ -339,5 +342,7 @@ fn what_is_in_a_scene_is_described_as_text_and_as_a_page() {
     let ran = bench.run(&["scene", &scene.to_string_lossy(), "--describe"]).exits(0);
     ran.prints("undefined at the start: 1").prints("undefined   element \"gimbal\"").prints("X           3");
     bench.run(&["scene", &scene.to_string_lossy(), "--out", "page.html"]).bad_usage("--describe writes a page");
-    bench.run(&["scene", &scene.to_string_lossy(), "--describe", "--out", "x.csv"]).bad_usage("--describe writes a page");
+    bench
+        .run(&["scene", &scene.to_string_lossy(), "--describe", "--out", "x.csv"])
+        .bad_usage("--describe writes a page");
 }

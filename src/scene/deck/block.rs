@@ -120,13 +120,10 @@ impl Block {
         self.lines(sources).filter(|line| !line.is_blank())
     }
 
-    /// Whether a place is in it.
-    pub(super) fn has(&self, place: Place, before: Option<&Self>) -> bool {
+    /// Whether a place is in its data lines.
+    pub(super) fn has(&self, place: Place) -> bool {
         let within = |piece: &Piece| piece.start.file == place.file && (piece.start.at..piece.end).contains(&place.at);
         self.data.iter().any(within)
-            || self.place.file == place.file
-                && self.place <= place
-                && before.is_none_or(|next| next.place.file != place.file || place < next.place)
     }
 
     fn extend(&mut self, start: Place, end: u32) {

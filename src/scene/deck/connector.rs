@@ -75,7 +75,7 @@ fn of<'r>(reading: &'r mut Reading, block: &Block) -> Option<&'r mut Behavior> {
 /// What the scene does not have of a behavior.
 pub(super) fn other(reading: &mut Reading, block: &Block) {
     if let Some(behavior) = of(reading, block) {
-        behavior.others.push((block.shown.clone(), block.place));
+        behavior.others.push(("connectors depend on it", block.place));
     }
 }
 
@@ -92,7 +92,7 @@ pub(super) fn friction(reading: &mut Reading, block: &Block) {
     let place = block.place;
     if let Some(behavior) = of(reading, block) {
         if !predefined {
-            behavior.others.push(("*CONNECTOR FRICTION without PREDEFINED".into(), place));
+            behavior.others.push(("connectors depend on it, without PREDEFINED", place));
         }
         if behavior.friction.is_some() {
             return reading.fault(place, "friction for the second time", "one *CONNECTOR FRICTION");

@@ -128,11 +128,11 @@ impl Deck {
     }
 }
 
-/// The shown keyword of the block that has this place.
+/// The shown keyword of the block that has this place in its data lines, or in its keyword line.
 fn keyword(blocks: &[Block], place: Place) -> &str {
-    let nexts = blocks.iter().skip(1).map(Some).chain([None]);
-    // A file may be included more than once.
-    blocks.iter().zip(nexts).find(|(block, next)| block.has(place, *next)).map_or("", |(block, _)| &block.shown)
+    let before = || blocks.iter().filter(|block| block.place.file == place.file && block.place <= place);
+    let block = blocks.iter().find(|block| block.has(place)).or_else(|| before().max_by_key(|block| block.place));
+    block.map_or("", |block| &block.shown)
 }
 
 fn located(sources: &Sources, blocks: &[Block], mut raw: Vec<Raw>, more: usize) -> Faults {

@@ -150,7 +150,7 @@ pub(super) struct Behavior {
     /// Components and their references.
     pub(super) reference: Vec<(u8, At<f64>)>,
     /// What of it the scene does not have.
-    pub(super) others: Vec<At<String>>,
+    pub(super) others: Vec<At<&'static str>>,
 }
 
 /// *CONNECTOR STOP.

@@ -23,7 +23,7 @@ pub(super) fn planned(model: &Model, section: &Section, dimension: Dimension, lo
     let kinds = kinds(section, dimension, log);
     let Some(behavior) = behavior(model, section, log) else { return with(kinds, |_| Vec::new()) };
     for (what, place) in &behavior.others {
-        log.leave_out(*place, format!("{what}: connectors depend on it"), true);
+        log.leave_out(*place, *what, true);
     }
     let mut used = Used::default();
     let planned = with(kinds, |kind| parameters(kind, behavior, &mut used, log));

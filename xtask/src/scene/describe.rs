@@ -1,8 +1,8 @@
 //! What is in a scene: its elements at the start, as text, and as a page with a drawing of each.
 
+use super::load::{Loaded, shown};
 use super::out::Target;
 use super::show::digits;
-use super::{Loaded, shown};
 use crate::console::{bold, count, print, say, yellow};
 use crate::figures::sketch::{Ink, Point, Sketch, View};
 use crate::{Outcome, files};
@@ -32,10 +32,9 @@ pub(super) fn run(target: Option<&Target>, scenes: &[(&PathBuf, Loaded)]) -> Out
 }
 
 fn vector(v: &[f64]) -> String {
-    match v {
-        [one] => digits(*one),
-        _ => format!("({})", v.iter().map(|&x| digits(x)).collect::<Vec<_>>().join(", ")),
-    }
+    // Without negative zeros.
+    let numbers: Vec<_> = v.iter().map(|x| digits(x + 0.0)).collect();
+    if let [one] = &numbers[..] { one.clone() } else { format!("({})", numbers.join(", ")) }
 }
 
 /// A node: its name, position and axes.

@@ -1,7 +1,7 @@
 //! The scenes of `golden/scenes`: their golden results and their figures.
 
 use super::show::{self, Format};
-use super::{describe, plot};
+use super::{describe, load, plot};
 use crate::console::count;
 use anyhow::Context;
 use jointproof::scene::{Deck, Plan, PlanLine, Results, Scene, Series, schema};
@@ -33,7 +33,7 @@ fn scenes(project: &Project) -> anyhow::Result<Vec<(String, Scene)>> {
         let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
         let stem = name.strip_suffix(".json").filter(|_| !name.ends_with(RESULT) && name != "schema.json");
         if let Some(stem) = stem {
-            let loaded = super::read(&path)?.map_err(anyhow::Error::msg)?;
+            let loaded = load::read(&path)?.map_err(anyhow::Error::msg)?;
             scenes.push((stem.to_owned(), loaded.scene));
         }
     }
@@ -47,7 +47,7 @@ fn decks(project: &Project) -> anyhow::Result<Vec<(String, Deck, Scene)>> {
     let read = |path: PathBuf| {
         let deck = Deck::parse_in(&folder, std::fs::read(&path)?)?;
         let scene = deck.scene()?;
-        Ok((super::stem(&path), deck, scene))
+        Ok((load::stem(&path), deck, scene))
     };
     files(&folder)?.into_iter().filter(is_deck).map(read).collect()
 }

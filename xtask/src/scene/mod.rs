@@ -8,6 +8,7 @@ mod examples;
 mod file_to_file;
 mod generate;
 mod kinds;
+mod load;
 mod out;
 mod plot;
 mod show;
@@ -20,10 +21,11 @@ use crate::{Outcome, files};
 use anyhow::Context;
 use generate::Generated;
 use jointproof::Octuple;
-use jointproof::scene::{Columns, Deck, Faults, Plan, Results, Scene, Warning};
+use jointproof::scene::{Columns, Plan, Results, Scene, Warning};
 use kit::{Project, Usage};
+use load::{Loaded, STANDARD_INPUT, read, shown, stem};
 use out::{Form, Target};
-use std::io::{Read, Write};
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
@@ -189,58 +191,6 @@ fn piped<T: Default>(written: anyhow::Result<T>) -> anyhow::Result<T> {
     })
 }
 
-/// The path that denotes standard input.
-const STANDARD_INPUT: &str = "-";
-
-fn shown(path: &Path) -> String {
-    if path.as_os_str() == STANDARD_INPUT { "standard input".into() } else { path.display().to_string() }
-}
-
-fn bytes(path: &Path) -> std::io::Result<Vec<u8>> {
-    if path.as_os_str() != STANDARD_INPUT {
-        return std::fs::read(path);
-    }
-    let mut bytes = Vec::new();
-    std::io::stdin().lock().read_to_end(&mut bytes)?;
-    Ok(bytes)
-}
-
-/// A scene that was read from a file.
-struct Loaded {
-    scene: Scene,
-    /// If it was a deck: the scene as text, and what is left out of it though connectors depend on it.
-    text: Option<String>,
-    left_out: Vec<String>,
-}
-
-/// The scene in a file, or its faults.
-fn read(path: &Path) -> anyhow::Result<Result<Loaded, String>> {
-    let shown = shown(path);
-    let report = |faults: Faults| {
-        let lines = faults.list().iter().map(|fault| format!("{shown}: {fault}\n")).collect::<Vec<_>>().concat();
-        let count = faults.len();
-        format!("{lines}{shown}: {count} {}", if count == 1 { "fault" } else { "faults" })
-    };
-    let bytes = bytes(path).with_context(|| format!("cannot read {shown}"))?;
-    // A path without a folder is relative to the current one, as is standard input.
-    let folder = path.parent().unwrap_or(Path::new(""));
-    if deck::is_deck(path, &bytes) {
-        let read = Deck::parse_in(folder, bytes).and_then(|deck| Ok((deck.scene()?, deck)));
-        let loaded = |(scene, deck): (Scene, Deck)| Loaded {
-            scene,
-            left_out: deck::left_out(&shown, &deck),
-            text: Some(deck.text().into()),
-        };
-        return Ok(read.map(loaded).map_err(report));
-    }
-    let text = match String::from_utf8(bytes) {
-        Ok(text) => text,
-        Err(error) => return Ok(Err(format!("{shown}: byte {} is not UTF-8", error.utf8_error().valid_up_to()))),
-    };
-    let scene = Scene::parse_in(folder, &text).map_err(report);
-    Ok(scene.map(|scene| Loaded { scene, text: None, left_out: Vec::new() }))
-}
-
 /// What to do about a scene without outputs.
 fn nothing_wanted(path: &Path, scene: &Scene) -> String {
     let kinds = scene.elements().filter_map(|element| scene.kind(element));
@@ -311,10 +261,6 @@ fn one(
         return Ok((None, results.warnings));
     }
     Ok((Some(text), results.warnings))
-}
-
-fn stem(path: &Path) -> String {
-    path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned())
 }
 
 fn timed<R, E: std::error::Error + Send + Sync + 'static>(
