@@ -28,6 +28,8 @@ mod scale;
 mod scene_clarity;
 mod scene_column_faults;
 mod scene_columns;
+mod scene_deck_faults;
+mod scene_decks;
 mod scene_faults;
 mod scene_friction;
 mod scene_golden;

@@ -329,3 +329,64 @@ fn the_schema_takes_every_scene_and_refuses_what_the_reader_refuses() {
         assert!(validator.is_valid(&scene), "{what} as the name of an array is not accepted");
     }
 }
+
+/// The deck of the book.
+fn gate() -> String {
+    repository().join("golden/decks/gate.inp").to_string_lossy().into_owned()
+}
+
+#[test]
+fn a_deck_is_a_scene_that_can_be_written_and_says_what_is_left_out() {
+    let bench = Bench::new();
+    let written = bench.path("gate.json");
+    let ran = bench.run(&["scene", &gate(), "--write", &written.to_string_lossy()]).exits(0);
+    ran.says("gate.inp: *CONNECTOR DAMPING (line 47): ");
+    assert_eq!(ran.stdout, "");
+    let committed = fs::read_to_string(repository().join("golden/decks/gate.json")).unwrap();
+    assert_eq!(fs::read_to_string(&written).unwrap(), committed);
+    let results = |path: &str| bench.run(&["scene", path, "--format", "csv"]).exits(0).stdout;
+    assert_eq!(results(&gate()), results(&written.to_string_lossy()));
+    bench
+        .run(&["scene", &gate(), "--format", "csv", "--deny-warnings"])
+        .exits(1)
+        .says("left out: *MATERIAL (line 49): not read");
+    bench.run(&["scene", &scene("rail.json"), "--write", "x.json"]).bad_usage("--write takes the scene of one deck");
+}
+
+#[test]
+fn a_wrong_deck_is_refused_with_its_lines_and_nothing_is_written() {
+    let bench = Bench::new();
+    let [deck, written] = ["wrong.inp", "wrong.json"].map(|name| bench.path(name));
+    fs::write(&deck, "*NODE\n1, 0, 0, 0\n2, 0, x, 0\n*INCLUDE, INPUT=more.inc\n").unwrap();
+    fs::write(bench.path("more.inc"), "*ELEMENT, TYPE=CONN3D2\n1, 1, y\n").unwrap();
+    let ran = bench.run(&["scene", &deck.to_string_lossy(), "--write", &written.to_string_lossy()]).exits(1);
+    ran.says("wrong.inp: *NODE (line 3, column 7): \"x\"; allowed is a number\n")
+        .says("wrong.inp: *ELEMENT in more.inc (line 2, column 7): \"y\"; allowed is the number of a node, or instance.number\n")
+        .says("wrong.inp: 2 faults\n");
+    assert!(!written.exists());
+}
+
+#[test]
+fn what_is_in_a_scene_is_described_as_text_and_as_a_page() {
+    let bench = Bench::new();
+    let ran = bench.run(&["scene", &gate(), "--describe"]).exits(0);
+    ran.prints("3d, 2 elements: 1 hinge, 1 slot").prints("Post.1 at (0, 0, 0), e1 (0, 0, 1)").prints("Z           ");
+    let page = bench.path("gate.html");
+    bench.run(&["scene", &gate(), "--describe", "--out", &page.to_string_lossy()]).exits(0);
+    let page = fs::read_to_string(page).unwrap();
+    assert_eq!(page.matches("<svg").count(), 2);
+    assert!(page.ends_with("</html>\n") && !page.contains("NaN") && !page.contains("inf"), "{page}");
+    // Undefined at the start: said, and the others are described.
+    let scene = bench.path("near.json");
+    let text = r#"{"dimension": "3d", "orientations": {"o": {"rotation": [0, 0, 0]}, "p": {"rotation": [0, -1.5707963267948966, 0]}},
+        "nodes": {"a": {"at": [0, 0, 0], "orientation": "o"}, "b": {"at": [1, 0, 0], "orientation": "p"}, "c": {"at": [3, 0, 0]}},
+        "elements": {"gimbal": {"kind": "align", "nodes": ["a", "b"]}, "slot": {"kind": "slot", "nodes": ["a", "c"]}},
+        "outputs": ["U1"]}"#;
+    fs::write(&scene, text).unwrap();
+    let ran = bench.run(&["scene", &scene.to_string_lossy(), "--describe"]).exits(0);
+    ran.prints("undefined at the start: 1").prints("undefined   element \"gimbal\"").prints("X           3");
+    bench.run(&["scene", &scene.to_string_lossy(), "--out", "page.html"]).bad_usage("--describe writes a page");
+    bench
+        .run(&["scene", &scene.to_string_lossy(), "--describe", "--out", "x.csv"])
+        .bad_usage("--describe writes a page");
+}

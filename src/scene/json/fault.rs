@@ -11,7 +11,8 @@ const SHOWN: usize = 8;
 /// One mistake in a scene file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fault {
-    /// The JSON path, such as `elements."slot 1".mu` or `frames[2].time`; empty for the whole file.
+    /// The JSON path, such as `elements."slot 1".mu` or `frames[2].time`; in a deck the keyword, such as `*NODE`, and the included
+    /// file. Empty for the whole file.
     pub path: String,
     /// Line in the file, from 1.
     pub line: usize,
@@ -48,6 +49,11 @@ impl Faults {
         let fits = self.list.len() < LISTED;
         self.unlisted += usize::from(!fits);
         fits
+    }
+
+    /// Counts faults that are not listed.
+    pub(in crate::scene) fn count_more(&mut self, more: usize) {
+        self.unlisted += more;
     }
 
     /// The faults; at most a hundred.

@@ -8,7 +8,7 @@ mod signature;
 
 pub(super) use contact::{ContactPlan, Output, WantedElement};
 pub use line::PlanLine;
-pub(super) use needs::Needs;
+pub(super) use needs::{Needs, answerable, wanted};
 pub(super) use recipe::{Parameter, Pass, Recipe};
 pub(super) use signature::Signature;
 

@@ -2,6 +2,7 @@
 
 use super::signature::Signature;
 use crate::scene::kind::{Fallback, Kind, Origin, Use};
+use crate::scene::model::Parameter;
 
 /// The chosen formulas, and the given registers that they need.
 #[derive(Default)]
@@ -29,6 +30,15 @@ impl Needs {
     pub(in crate::scene) fn reasons(&self, register: &str) -> String {
         let readers = self.formulas.iter().filter(|(formula, _)| formula.reads(register).is_some());
         readers.map(|(formula, _)| formula.id()).collect::<Vec<_>>().join(", ")
+    }
+
+    /// The required parameters that are not given.
+    pub(in crate::scene) fn missing(&self, signature: &Signature) -> impl Iterator<Item = &'static str> {
+        let is_required = |origin: Origin| origin == Origin::Parameter(Fallback::Required);
+        self.given
+            .iter()
+            .filter(move |&&(name, origin)| is_required(origin) && !signature.gives(name))
+            .map(|(name, _)| *name)
     }
 
     /// The needs of these registers.
@@ -77,6 +87,17 @@ impl Needs {
         next.extend(formula.step.inputs().iter().map(|field| input(field.name)));
         self.formulas.push((formula, vec![why]));
     }
+}
+
+/// The outputs for which an element has all parameters that they need: one bit per output of the kind.
+pub(in crate::scene) fn answerable(kind: &'static Kind, parameters: &[Parameter], count: u32) -> u64 {
+    let parameters: Vec<_> = parameters.iter().collect();
+    let is_answerable = |bit: usize| {
+        let mut signatures = Signature::of_members(kind, &parameters, 1 << bit, count).into_iter();
+        kind.slides()
+            || signatures.all(|(signature, _)| Needs::of_outputs(&signature).missing(&signature).next().is_none())
+    };
+    (0..kind.outputs().count()).filter(|&bit| is_answerable(bit)).fold(0, |mask, bit| mask | 1 << bit)
 }
 
 /// A requested register, and the reason.

@@ -2,7 +2,7 @@
 
 use crate::formula::error::Error;
 use crate::scene::json::Reader;
-use crate::scene::kind::{Fallback, Kind, Origin};
+use crate::scene::kind::Kind;
 use crate::scene::model::Parameter;
 use crate::scene::plan::{Needs, Signature};
 use std::collections::HashMap;
@@ -51,12 +51,10 @@ impl Checks {
     /// Reports a parameter that an output needs and that is not given.
     fn check_required(&mut self, reader: &mut Reader, place: usize, signature: Signature) {
         let needs = self.known.entry(signature).or_insert_with(|| Needs::of_outputs(&signature));
-        for &(name, origin) in &needs.given {
-            if origin == Origin::Parameter(Fallback::Required) && !signature.gives(name) {
-                let why = needs.reasons(name);
-                let allowed = format!("a number, the {}", signature.kind.meaning(name));
-                reader.fault(place, format!("no {name:?}, needed for {why}"), allowed);
-            }
+        for name in needs.missing(&signature) {
+            let why = needs.reasons(name);
+            let allowed = format!("a number, the {}", signature.kind.meaning(name));
+            reader.fault(place, format!("no {name:?}, needed for {why}"), allowed);
         }
     }
 }

@@ -55,7 +55,7 @@ impl Inherited {
 
 impl Kind {
     /// Whether it measures in the triad of a node, given by its index.
-    fn reads_triad(&self, node: usize) -> bool {
+    pub(in crate::scene) fn reads_triad(&self, node: usize) -> bool {
         self.origins().any(|origin| matches!(origin, Origin::Axis(of, _) if of == node))
     }
 }

@@ -5,7 +5,7 @@ mod cardan;
 mod mechanism;
 mod newton;
 mod signs;
-mod sketch;
+pub(crate) mod sketch;
 mod slide_line;
 mod slider;
 mod thread;

@@ -1,15 +1,16 @@
 //! A drawing of objects in space: points are projected, and every part is one line of SVG, so that two positions of a
 //! mechanism differ in few lines.
 
+use std::borrow::Cow;
 use std::fmt::Write;
 
 use nalgebra::{Vector2, Vector3};
 
-pub(super) type Point = Vector3<f64>;
+pub(crate) type Point = Vector3<f64>;
 
 /// The style of a stroke.
 #[derive(Clone, Copy)]
-pub(super) enum Ink {
+pub(crate) enum Ink {
     /// A part.
     Solid,
     /// Thin lines: dimensions, outlines of bodies.
@@ -53,7 +54,7 @@ impl Ink {
 }
 
 /// The projection of a drawing: the images of the axes, and of the origin.
-pub(super) struct View {
+pub(crate) struct View {
     axes: [Vector2<f64>; 3],
     origin: Vector2<f64>,
 }
@@ -64,8 +65,21 @@ impl View {
     }
 
     /// From the front right and above: the first axis to the right, the second up, the third towards the viewer.
-    pub(super) fn space(unit: f64, origin: [f64; 2]) -> Self {
+    pub(crate) fn space(unit: f64, origin: [f64; 2]) -> Self {
         Self::new([[0.98, -0.2], [0.0, -1.0], [-0.52, 0.42]], unit, origin)
+    }
+
+    /// A view of space, or of the plane of the first two axes, in which all these points have room.
+    pub(crate) fn fitted(points: &[Point], is_flat: bool) -> Self {
+        const ROOM: [f64; 2] = [70.0, 45.0];
+        let View { axes, .. } = if is_flat { Self::plane(1.0, [0.0; 2]) } else { Self::space(1.0, [0.0; 2]) };
+        let placed = || points.iter().map(|p| axes[0] * p.x + axes[1] * p.y + axes[2] * p.z);
+        let bound = |k: usize, pick: fn(f64, f64) -> f64| placed().map(|p| p[k]).reduce(pick).unwrap_or(0.0);
+        let bounds = [0, 1].map(|k| (bound(k, f64::min), bound(k, f64::max)));
+        let units = [0, 1].map(|k| (SIZE[k] - 2.0 * ROOM[k]) / (bounds[k].1 - bounds[k].0).max(f64::MIN_POSITIVE));
+        let unit = units[0].min(units[1]).min(1e300);
+        let origin = [0, 1].map(|k| SIZE[k] / 2.0 - unit * bounds[k].0.midpoint(bounds[k].1));
+        Self { axes: axes.map(|axis| axis * unit), origin: origin.into() }
     }
 
     /// With the second axis to the right, for horizontal shafts.
@@ -74,7 +88,7 @@ impl View {
     }
 
     /// The plane of the first two axes.
-    pub(super) fn plane(unit: f64, origin: [f64; 2]) -> Self {
+    pub(crate) fn plane(unit: f64, origin: [f64; 2]) -> Self {
         Self::new([[1.0, 0.0], [0.0, -1.0], [0.0, 0.0]], unit, origin)
     }
 }
@@ -83,10 +97,10 @@ impl View {
 const SIZE: [f64; 2] = [560.0, 300.0];
 
 /// A drawing in progress.
-pub(super) struct Sketch {
-    name: &'static str,
-    title: &'static str,
-    description: &'static str,
+pub(crate) struct Sketch {
+    name: Cow<'static, str>,
+    title: Cow<'static, str>,
+    description: Cow<'static, str>,
     view: View,
     lines: Vec<String>,
     /// The notes below.
@@ -94,7 +108,13 @@ pub(super) struct Sketch {
 }
 
 impl Sketch {
-    pub(super) const fn new(name: &'static str, title: &'static str, description: &'static str, view: View) -> Self {
+    pub(crate) fn new(
+        name: impl Into<Cow<'static, str>>,
+        title: impl Into<Cow<'static, str>>,
+        description: impl Into<Cow<'static, str>>,
+        view: View,
+    ) -> Self {
+        let (name, title, description) = (name.into(), title.into(), description.into());
         Self { name, title, description, view, lines: Vec::new(), notes: Vec::new() }
     }
 
@@ -104,7 +124,7 @@ impl Sketch {
     }
 
     /// A polyline.
-    pub(super) fn path(&mut self, points: &[Point], ink: Ink) {
+    pub(crate) fn path(&mut self, points: &[Point], ink: Ink) {
         let mut d = String::new();
         for (k, point) in points.iter().enumerate() {
             let at = self.place(*point);
@@ -114,7 +134,7 @@ impl Sketch {
     }
 
     /// A band along a line, with this width in the drawing: a groove, a tube.
-    pub(super) fn band(&mut self, points: [Point; 2], width: f64) {
+    pub(crate) fn band(&mut self, points: [Point; 2], width: f64) {
         let [from, to] = points.map(|point| self.place(point));
         self.lines.push(format!(
             r#"<path d="M{} {}L{} {}" stroke="currentColor" stroke-opacity="0.13" stroke-width="{width}" stroke-linecap="butt"/>"#,
@@ -123,7 +143,7 @@ impl Sketch {
     }
 
     /// The area of a polygon.
-    pub(super) fn area(&mut self, points: &[Point], ink: Ink) {
+    pub(crate) fn area(&mut self, points: &[Point], ink: Ink) {
         let all: Vec<_> = points
             .iter()
             .map(|point| self.place(*point))
@@ -137,7 +157,7 @@ impl Sketch {
     }
 
     /// An arrow; one too short for a tip becomes an empty line.
-    pub(super) fn arrow(&mut self, from: Point, by: Point, ink: Ink) {
+    pub(crate) fn arrow(&mut self, from: Point, by: Point, ink: Ink) {
         let [start, end] = [from, from + by].map(|point| self.place(point));
         self.lines.push(if (end - start).norm() < 3.0 {
             String::new()
@@ -156,7 +176,7 @@ impl Sketch {
     }
 
     /// A node.
-    pub(super) fn dot(&mut self, at: Point, ink: Ink) {
+    pub(crate) fn dot(&mut self, at: Point, ink: Ink) {
         let at = self.place(at);
         self.lines.push(format!(
             r#"<circle cx="{}" cy="{}" r="5.5" fill="{}"/>"#,
@@ -167,7 +187,7 @@ impl Sketch {
     }
 
     /// A label next to a point: `e_1a` has a subscript, and a name that starts with `*` is bold.
-    pub(super) fn label(&mut self, at: Point, beside: [f64; 2], name: &str, ink: Ink) {
+    pub(crate) fn label(&mut self, at: Point, beside: [f64; 2], name: &str, ink: Ink) {
         let at = self.place(at) + Vector2::from(beside);
         self.lines.push(format!(
             r#"<text x="{}" y="{}" fill="{}">{}</text>"#,
@@ -179,7 +199,7 @@ impl Sketch {
     }
 
     /// Three labelled arrows for the triad of a node called `of`.
-    pub(super) fn triad(&mut self, at: Point, axes: [Point; 3], length: f64, of: &str, ink: Ink) {
+    pub(crate) fn triad(&mut self, at: Point, axes: [Point; 3], length: f64, of: &str, ink: Ink) {
         for (k, axis) in axes.iter().enumerate() {
             self.arrow(at, axis * length, ink);
             let end = self.place(at + axis * length) - self.place(at);
@@ -194,7 +214,7 @@ impl Sketch {
     }
 
     /// The SVG element, one line per part, and a paragraph for each note, in the text size of the page on any screen.
-    pub(super) fn html(self) -> String {
+    pub(crate) fn html(self) -> String {
         let [width, height] = SIZE;
         let Self { name, title, description, lines, notes, .. } = self;
         let marker = |tip: &str, colour: &str| {

@@ -1,12 +1,12 @@
 //! The scenes of `golden/scenes`: their golden results and their figures.
 
-use super::plot;
 use super::show::{self, Format};
+use super::{describe, load, plot};
 use crate::console::count;
 use anyhow::Context;
-use jointproof::scene::{Plan, PlanLine, Results, Scene, Series, schema};
+use jointproof::scene::{Deck, Plan, PlanLine, Results, Scene, Series, schema};
 use kit::{Beside, Project, Table};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// The ending of the name of a golden result.
 const RESULT: &str = ".result.json";
@@ -15,11 +15,11 @@ fn folder(project: &Project) -> PathBuf {
     project.golden().join("scenes")
 }
 
-/// The files there, by name.
-fn files(project: &Project) -> anyhow::Result<Vec<PathBuf>> {
-    let entries = match std::fs::read_dir(folder(project)) {
+/// The files of a folder, by name.
+fn files(folder: &Path) -> anyhow::Result<Vec<PathBuf>> {
+    let entries = match std::fs::read_dir(folder) {
         Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(Vec::new()),
-        entries => entries.context("cannot list golden/scenes/")?,
+        entries => entries.with_context(|| format!("cannot list {}", folder.display()))?,
     };
     let mut files = entries.map(|entry| Ok(entry?.path())).collect::<anyhow::Result<Vec<_>>>()?;
     files.sort();
@@ -29,20 +29,34 @@ fn files(project: &Project) -> anyhow::Result<Vec<PathBuf>> {
 /// The scenes, by name.
 fn scenes(project: &Project) -> anyhow::Result<Vec<(String, Scene)>> {
     let mut scenes = Vec::new();
-    for path in files(project)? {
+    for path in files(&folder(project))? {
         let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
         let stem = name.strip_suffix(".json").filter(|_| !name.ends_with(RESULT) && name != "schema.json");
         if let Some(stem) = stem {
-            let scene = super::read(&path)?.map_err(anyhow::Error::msg)?;
-            scenes.push((stem.to_owned(), scene));
+            let loaded = load::read(&path)?.map_err(anyhow::Error::msg)?;
+            scenes.push((stem.to_owned(), loaded.scene));
         }
     }
     Ok(scenes)
 }
 
-/// The schema, and a result per scene, computed in 237 bits; results whose scene is gone are orphans.
+/// The decks of `golden/decks`, by name.
+fn decks(project: &Project) -> anyhow::Result<Vec<(String, Deck, Scene)>> {
+    let folder = project.golden().join("decks");
+    let is_deck = |path: &PathBuf| path.extension().is_some_and(|extension| extension == "inp");
+    let read = |path: PathBuf| {
+        let deck = Deck::parse_in(&folder, std::fs::read(&path)?)?;
+        let scene = deck.scene()?;
+        Ok((load::stem(&path), deck, scene))
+    };
+    files(&folder)?.into_iter().filter(is_deck).map(read).collect()
+}
+
+/// The schema, a result per scene, computed in 237 bits, and the scene and the result of every deck; results whose scene is gone are
+/// orphans.
 pub(crate) fn golden(project: &Project) -> anyhow::Result<Beside> {
     let (scenes, folder) = (scenes(project)?, folder(project));
+    let (decks, decks_folder) = (decks(project)?, project.golden().join("decks"));
     let mut golden = vec![(folder.join("schema.json"), serde_json::to_string_pretty(&schema())? + "\n")];
     let mut numbers = 0;
     for (name, scene) in &scenes {
@@ -51,9 +65,15 @@ pub(crate) fn golden(project: &Project) -> anyhow::Result<Beside> {
         numbers += results.series.iter().map(count).sum::<usize>();
         golden.push((folder.join(format!("{name}{RESULT}")), results.golden()?));
     }
-    let mut orphans = files(project)?;
+    for (name, deck, scene) in &decks {
+        let result = Results::exact(scene).with_context(|| name.clone())?.golden()?;
+        golden.push((decks_folder.join(format!("{name}.json")), deck.text().into()));
+        golden.push((decks_folder.join(format!("{name}{RESULT}")), result));
+    }
+    let mut orphans = [files(&folder)?, files(&decks_folder)?].concat();
     orphans.retain(|path| path.to_string_lossy().ends_with(RESULT) && golden.iter().all(|(known, _)| known != path));
-    let counts = format!("{}, {}", count(scenes.len(), "scene"), count(numbers, "number"));
+    let counts =
+        format!("{}, {}, {}", count(scenes.len(), "scene"), count(numbers, "number"), count(decks.len(), "deck"));
     Ok(Beside { files: golden, orphans, counts })
 }
 
@@ -63,6 +83,13 @@ pub(crate) fn outputs(project: &Project) -> anyhow::Result<Vec<(String, String)>
     for (name, scene) in scenes(project)? {
         let (results, exact) = (Results::of(&scene)?, Results::exact(&scene)?);
         outputs.push((format!("results-of-{name}"), show::results(&scene, &results, Some(&exact), Format::Text)?));
+    }
+    // Of decks: the scene, what is left out, and where its connectors are.
+    for (name, deck, scene) in decks(project)? {
+        outputs.push((format!("scene-of-{name}"), deck.text().into()));
+        let left_out: Vec<_> = deck.left_out().iter().map(ToString::to_string).collect();
+        outputs.push((format!("left-out-of-{name}"), left_out.join("\n")));
+        outputs.push((format!("start-of-{name}"), describe::text(&name, &scene, &scene.start()?)?));
     }
     Ok(outputs)
 }

@@ -2,16 +2,19 @@
 
 mod bare;
 mod benchmark;
+mod deck;
+mod describe;
 mod examples;
 mod file_to_file;
 mod generate;
 mod kinds;
+mod load;
 mod out;
 mod plot;
 mod show;
 
 pub(crate) use examples::{figures, golden, outputs, plans};
-pub(crate) use kinds::{anchor, served, tables};
+pub(crate) use kinds::{anchor, served};
 
 use crate::console::{print, progress, say, yellow};
 use crate::{Outcome, files};
@@ -20,16 +23,18 @@ use generate::Generated;
 use jointproof::Octuple;
 use jointproof::scene::{Columns, Plan, Results, Scene, Table, TableFault, Tables, Unwritten, Warning};
 use kit::{Project, Usage};
+use load::{Loaded, STANDARD_INPUT, read, shown, stem};
 use out::{Form, Target};
 use std::fs::File;
-use std::io::{Read, Write};
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
 /// Evaluate scenes: connectors and constraints together, over a history of states
 ///
-/// All errors in a scene are reported together, each with its JSON path, line and column; then nothing is evaluated.
+/// All errors in a scene are reported together, each with its JSON path, line and column; then nothing is evaluated. A scene may also be
+/// a deck, an input file of keywords: what of it is left out is said.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   {command} scene golden/scenes/rail.json            a table per output
@@ -40,6 +45,8 @@ use std::time::{Duration, Instant};
   {command} scene - --format json < my.json          from standard input
   {command} scene my.json --history u.csv            a table of displacements as the history
   {command} scene my.json --out results.npz          for numpy: np.load('results.npz')
+  {command} scene my.inp --write my.json             the scene that a deck describes
+  {command} scene my.inp --describe --out my.html    where its connectors are at the start, drawn
   {command} scene --generate 10000 > many.json       a scene to measure with
   {command} scene --generate 100 --columns a.npz > a.json    another, its numbers as arrays
   {command} scene --benchmark                        what an element costs per state")]
@@ -75,6 +82,13 @@ pub(crate) struct Arguments {
     /// Fail if something in a scene is ambiguous; without this it is only said
     #[arg(long)]
     deny_warnings: bool,
+    /// Only describe the elements at the start: geometry, parameters that are missing, what is undefined; with `--out FILE.html` as a
+    /// page with a drawing of each
+    #[arg(long, conflicts_with_all = ["plan", "error", "plot", "write"])]
+    describe: bool,
+    /// Write the scene that was read from a deck to this file, and evaluate nothing
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["out", "plan", "plot"])]
+    write: Option<PathBuf>,
     /// Print a scene of N sliding connectors
     #[arg(long, value_name = "N", conflicts_with_all = ["files", "benchmark"])]
     generate: Option<usize>,
@@ -96,6 +110,11 @@ pub(crate) struct Arguments {
     peak: Option<PathBuf>,
 }
 
+/// The book's tables of what is read.
+pub(crate) fn tables() -> Vec<(String, Vec<kit::Table>)> {
+    [kinds::tables(), deck::tables()].concat()
+}
+
 pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     if let Some(elements) = arguments.generate {
         let generated = Generated { of: arguments.of, connectors: elements, states: arguments.states };
@@ -113,6 +132,10 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
         benchmark::run()?;
         return Ok(ExitCode::SUCCESS);
     }
+    let is_page = arguments.out.as_ref().is_some_and(|target| target.form == Form::Page);
+    if arguments.out.is_some() && is_page != arguments.describe {
+        return Err(Usage("--describe writes a page, .html, and nothing else does".into()).into());
+    }
     if arguments.out.is_some() && arguments.files.len() > 1 {
         return Err(Usage("--out takes the results of one scene".into()).into());
     }
@@ -123,8 +146,8 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     let mut scenes = Vec::new();
     for path in &arguments.files {
         match read(path)? {
-            Ok(scene) => match with_tables(arguments, scene) {
-                Ok(scene) => scenes.push((path, scene)),
+            Ok(Loaded { scene, left_out, text }) => match with_tables(arguments, scene) {
+                Ok(scene) => scenes.push((path, Loaded { scene, left_out, text })),
                 Err(fault) => say(&fault.to_string()),
             },
             Err(report) => say(&report),
@@ -133,15 +156,28 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     if scenes.len() < arguments.files.len() {
         return Ok(ExitCode::FAILURE);
     }
+    if let Some(target) = &arguments.write {
+        let texts: Vec<_> = scenes.iter().filter_map(|(_, loaded)| loaded.text.as_deref()).collect();
+        let [text] = texts[..] else { return Err(Usage("--write takes the scene of one deck".into()).into()) };
+        files::write(target, text)?;
+        for line in &scenes[0].1.left_out {
+            say(&format!("{} {}: {line}", yellow("warning:"), shown(scenes[0].0)));
+        }
+        return Ok(ExitCode::SUCCESS);
+    }
+    if arguments.describe {
+        return describe::run(arguments.out.as_ref(), &scenes);
+    }
     // Threads are started before the timing begins.
     rayon::broadcast(|_| ());
     let several = arguments.files.len() > 1;
     let (mut documents, mut ambiguous) = (Vec::new(), 0);
-    for (path, scene) in &scenes {
+    for (path, Loaded { scene, left_out, .. }) in &scenes {
         if several && arguments.format == show::Format::Text {
             print(&format!("{}\n", shown(path)))?;
         }
-        let (text, warnings) = one(project, arguments, path, scene)?;
+        let (text, of_scene) = one(project, arguments, path, scene)?;
+        let warnings = [left_out.clone(), of_scene].concat();
         scene.notes().iter().for_each(|note| say(&format!("note: {}: {note}", shown(path))));
         for warning in &warnings {
             say(&format!("{} {}: {warning}", yellow("warning:"), shown(path)));
@@ -168,39 +204,6 @@ fn piped<T: Default>(written: anyhow::Result<T>) -> anyhow::Result<T> {
         Some(std::io::ErrorKind::BrokenPipe) => Ok(T::default()),
         _ => Err(error),
     })
-}
-
-/// The path that denotes standard input.
-const STANDARD_INPUT: &str = "-";
-
-fn shown(path: &Path) -> String {
-    if path.as_os_str() == STANDARD_INPUT { "standard input".into() } else { path.display().to_string() }
-}
-
-fn bytes(path: &Path) -> std::io::Result<Vec<u8>> {
-    if path.as_os_str() != STANDARD_INPUT {
-        return std::fs::read(path);
-    }
-    let mut bytes = Vec::new();
-    std::io::stdin().lock().read_to_end(&mut bytes)?;
-    Ok(bytes)
-}
-
-/// The scene in a file, or its faults.
-fn read(path: &Path) -> anyhow::Result<Result<Scene, String>> {
-    let shown = shown(path);
-    let bytes = bytes(path).with_context(|| format!("cannot read {shown}"))?;
-    let text = match String::from_utf8(bytes) {
-        Ok(text) => text,
-        Err(error) => return Ok(Err(format!("{shown}: byte {} is not UTF-8", error.utf8_error().valid_up_to()))),
-    };
-    // A path without a folder is relative to the current one, as is standard input.
-    let folder = path.parent().unwrap_or(Path::new(""));
-    Ok(Scene::parse_in(folder, &text).map_err(|faults| {
-        let lines = faults.list().iter().map(|fault| format!("{shown}: {fault}\n")).collect::<Vec<_>>().concat();
-        let count = faults.len();
-        format!("{lines}{shown}: {count} {}", if count == 1 { "fault" } else { "faults" })
-    }))
 }
 
 /// The scene with the history in the given tables, if there are any.
@@ -258,7 +261,7 @@ fn one(
             return Ok((None, in_words(warnings)));
         }
         Some(Target { form: Form::Printed(format), .. }) => *format,
-        None => arguments.format,
+        Some(Target { form: Form::Page, .. }) | None => arguments.format,
     };
     if format == show::Format::Csv && !arguments.error && arguments.plot.is_none() {
         let warnings = match &arguments.out {
@@ -292,10 +295,6 @@ fn one(
         return Ok((None, results.warnings));
     }
     Ok((Some(text), results.warnings))
-}
-
-fn stem(path: &Path) -> String {
-    path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned())
 }
 
 fn timed<R, E: std::error::Error + Send + Sync + 'static>(

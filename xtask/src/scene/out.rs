@@ -18,14 +18,17 @@ pub(crate) enum Form {
     Arrays,
     /// In a printed format.
     Printed(Format),
+    /// As a page, which a description has.
+    Page,
 }
 
 /// The possible file extensions.
-const FORMS: [(&str, Form); 4] = [
+const FORMS: [(&str, Form); 5] = [
     ("npz", Form::Arrays),
     ("json", Form::Printed(Format::Json)),
     ("csv", Form::Printed(Format::Csv)),
     ("txt", Form::Printed(Format::Text)),
+    ("html", Form::Page),
 ];
 
 impl FromStr for Target {

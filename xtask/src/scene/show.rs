@@ -136,7 +136,7 @@ fn add_columns(columns: &mut Vec<Column>, series: &Series, exact: Option<&Series
 }
 
 /// Nine significant digits, without trailing zeros.
-fn digits(x: f64) -> String {
+pub(super) fn digits(x: f64) -> String {
     let magnitude = if x == 0.0 { x } else { x.abs().log10().floor() };
     if !(-5.0..9.0).contains(&magnitude) {
         return format!("{x:.8e}");

@@ -1,0 +1,222 @@
+//! Nodes, elements, sets and orientations.
+
+use super::block::{Block, Line};
+use super::field::Field;
+use super::model::{Element, Item, Members, Node, Orientation, Points, System, Type};
+use super::motion::cylindrical;
+use super::reading::{Reading, found};
+use arrayvec::ArrayVec;
+
+pub(super) fn heading(reading: &mut Reading, block: &Block) {
+    let title = block.full(reading.sources).next();
+    if let Some(title) = title.filter(|_| reading.model.title.is_empty()) {
+        reading.model.title = title.text.trim().into();
+    }
+}
+
+pub(super) fn node(reading: &mut Reading, block: &Block) {
+    let in_cylinder = reading.word(block, "SYSTEM", &[("R", false), ("C", true)]).unwrap_or(false);
+    let set = block.label(&mut reading.log, "NSET").map(|(label, _)| (reading.scope, label.key));
+    let mut members = Vec::new();
+    for line in block.full(reading.sources) {
+        let mut fields = line.fields();
+        let Some(first) = fields.next() else { continue };
+        let Some(number) = reading.identifier(first) else { continue };
+        let (mut at, mut rest) = ([0.0; 3], 0);
+        for (k, field) in fields.enumerate() {
+            // A normal may follow the coordinates.
+            let number = reading.number(field).unwrap_or(0.0);
+            match at.get_mut(k) {
+                Some(coordinate) => *coordinate = number,
+                None if k < 6 => {}
+                None => rest += 1,
+            }
+        }
+        if rest > 0 {
+            reading.fault(
+                line.place,
+                format!("a line of {} fields", 7 + rest),
+                "a number, three coordinates, and a normal",
+            );
+        }
+        if in_cylinder {
+            at = cylindrical(at);
+        }
+        if let Some(motion) = &reading.motion {
+            at = motion.of_point(at);
+        }
+        let node = Node { at, place: first.place };
+        let known = reading.model.nodes.insert((reading.scope, number), node);
+        if known.is_some_and(|known| known.at != at) {
+            let shown = reading.model.shown((reading.scope, number));
+            reading.fault(first.place, format!("node {shown} for the second time, elsewhere"), "each node once");
+        }
+        if set.is_some() {
+            members.push(Item { scope: reading.scope, of: Members::One(number), place: first.place });
+        }
+    }
+    if let Some(set) = set {
+        reading.model.node_sets.entry(set).or_default().append(&mut members);
+    }
+}
+
+pub(super) fn element(reading: &mut Reading, block: &Block) {
+    let Some((label, place)) = block.required(&mut reading.log, "TYPE") else { return };
+    let Some(&(_, of)) = Type::ALL.iter().find(|(name, _)| *name == label.key) else {
+        reading.model.others.entry(label.key.clone()).or_insert(place);
+        return reading.log.leave_out(place, format!("elements of type {}", label.key), false);
+    };
+    let set = block.label(&mut reading.log, "ELSET").map(|(label, _)| (reading.scope, label.key));
+    let mut members = Vec::new();
+    let mut lines = block.full(reading.sources);
+    while let Some(line) = lines.next() {
+        let mut fields: Vec<Field> = line.fields().collect();
+        let mut last = line;
+        // A comma at the end continues a line that has too few nodes.
+        while fields.len() < of.nodes() + 1 && last.text.trim_end().ends_with(',') {
+            let Some(next) = lines.next() else { break };
+            fields.extend(next.fields());
+            last = next;
+        }
+        let Some(number) = reading.identifier(fields[0]) else { continue };
+        if fields.len() != of.nodes() + 1 {
+            let found = format!("{} nodes", fields.len() - 1);
+            reading.fault(line.place, found, format!("{} nodes, for {}", of.nodes(), label.key));
+            continue;
+        }
+        let ends: Option<ArrayVec<_, 3>> = fields[1..].iter().map(|&field| reading.node(field)).collect();
+        let Some(nodes) = ends else { continue };
+        let place = fields[0].place;
+        if reading.model.elements.insert((reading.scope, number), Element { of, nodes, place }).is_some() {
+            let shown = reading.model.shown((reading.scope, number));
+            reading.fault(place, format!("element {shown} for the second time"), "each element once");
+        }
+        members.push(Item { scope: reading.scope, of: Members::One(number), place });
+    }
+    if let Some(set) = set {
+        reading.model.element_sets.entry(set).or_default().append(&mut members);
+    }
+}
+
+pub(super) fn node_set(reading: &mut Reading, block: &Block) {
+    if let Some((label, _)) = block.required(&mut reading.log, "NSET") {
+        let mut members = members(reading, block);
+        reading.model.node_sets.entry((reading.scope, label.key)).or_default().append(&mut members);
+    }
+}
+
+pub(super) fn element_set(reading: &mut Reading, block: &Block) {
+    if let Some((label, _)) = block.required(&mut reading.log, "ELSET") {
+        let mut members = members(reading, block);
+        reading.model.element_sets.entry((reading.scope, label.key)).or_default().append(&mut members);
+    }
+}
+
+/// The members of a set.
+fn members(reading: &mut Reading, block: &Block) -> Vec<Item> {
+    let instance = reading.instance(block);
+    let mut members = Vec::new();
+    if block.parameter("INSTANCE").is_some() && instance.is_none() {
+        return members;
+    }
+    let scope = instance.unwrap_or(reading.scope);
+    if block.parameter("GENERATE").is_some() {
+        for line in block.full(reading.sources) {
+            if let Some((first, last, step)) = range(reading, line) {
+                members.push(Item { scope, of: Members::Range(first, last, step), place: line.place });
+            }
+        }
+        return members;
+    }
+    for line in block.full(reading.sources) {
+        for field in line.fields().filter(|field| !field.text.is_empty()) {
+            members.extend(reading.item(field, instance));
+        }
+    }
+    members
+}
+
+/// First, last and increment.
+pub(super) fn range(reading: &mut Reading, line: Line) -> Option<(u32, u32, u32)> {
+    let fields: Vec<_> = line.fields().collect();
+    let (&[first, last, ref rest @ ..], true) = (&fields[..], fields.len() <= 3) else {
+        reading.fault(
+            line.place,
+            format!("{} numbers", fields.len()),
+            "the first, the last, and the increment if it is not 1",
+        );
+        return None;
+    };
+    let step = rest.first().filter(|step| !step.text.is_empty());
+    let (from, to) = (reading.identifier(first), reading.identifier(last));
+    let step = step.map_or(Some(1), |&step| reading.identifier(step))?;
+    let (from, to) = (from?, to?);
+    if from > to || !(to - from).is_multiple_of(step) {
+        reading.fault(last.place, found(last.text), format!("{from} and a multiple of {step} more"));
+        return None;
+    }
+    Some((from, to, step))
+}
+
+pub(super) fn orientation(reading: &mut Reading, block: &Block) {
+    let Some((label, place)) = block.required(&mut reading.log, "NAME") else { return };
+    let words = [("RECTANGULAR", System::Rectangular), ("Z RECTANGULAR", System::ThirdRectangular)];
+    let system = reading.word(block, "SYSTEM", &words);
+    let by_nodes = reading.word(block, "DEFINITION", &[("COORDINATES", false), ("NODES", true)]);
+    if block.parameter("SYSTEM").is_some() && system.is_none()
+        || block.parameter("DEFINITION").is_some() && by_nodes.is_none()
+    {
+        return;
+    }
+    let mut lines = block.full(reading.sources);
+    let Some(line) = lines.next() else {
+        return reading.fault(block.place, "no data line", "a line with points a and b, and the origin if it is not 0");
+    };
+    let points = if by_nodes == Some(true) {
+        let nodes: Vec<_> = line.fields().map(|field| reading.node(field)).collect();
+        match nodes[..] {
+            [Some(a), Some(b)] => Some(Points::Nodes([a, b], None)),
+            [Some(a), Some(b), Some(c)] => Some(Points::Nodes([a, b], Some(c))),
+            _ => {
+                reading.fault(line.place, format!("{} nodes", nodes.len()), "2 or 3 nodes");
+                None
+            }
+        }
+    } else {
+        let count = line.fields().count();
+        if count < 4 {
+            reading.fault(line.place, format!("{count} numbers"), "6 or 9: points a and b, and the origin");
+        }
+        let [ax, ay, az, bx, by, bz, cx, cy, cz] = reading.numbers(line.fields());
+        Some(Points::Coordinates([[ax, ay, az], [bx, by, bz], [cx, cy, cz]]))
+    };
+    let turn = lines.next().and_then(|line| {
+        let [axis, angle] = reading.numbers(line.fields());
+        let axis = match axis {
+            // The default is the first.
+            0.0 | 1.0 => 0,
+            2.0 => 1,
+            3.0 => 2,
+            _ => {
+                reading.fault(
+                    line.place,
+                    format!("{axis:?}"),
+                    "the local direction 1, 2 or 3, and an angle in degrees",
+                );
+                return None;
+            }
+        };
+        (angle != 0.0).then_some((axis, angle))
+    });
+    if let Some(line) = lines.next() {
+        reading.fault(line.place, "a third data line", "two");
+    }
+    let Some(points) = points else { return };
+    let motion = reading.motion.clone();
+    let orientation =
+        Orientation { shown: label.shown, place, system: system.unwrap_or(System::Rectangular), points, turn, motion };
+    let known = reading.model.orientations.insert((reading.scope, label.key), orientation);
+    if let Some(known) = known {
+        reading.fault(place, format!("orientation {:?} for the second time", known.shown), "each name once");
+    }
+}

@@ -1,0 +1,120 @@
+//! The orientations of nodes, as triads of the scene.
+
+use super::field::Label;
+use super::log::Log;
+use super::model::{Model, Named, Numbered, Orientation, Points, System};
+use super::motion::{angle, axes};
+use super::sets::candidates;
+use super::source::Place;
+use crate::scene::json::some_of;
+use std::collections::HashMap;
+
+/// An orientation of the scene: two axes in space, or an angle in the plane.
+pub(super) struct Triad {
+    pub(super) name: String,
+    pub(super) place: Place,
+    pub(super) axes: Result<[[f64; 3]; 2], f64>,
+}
+
+#[derive(Default)]
+pub(super) struct Triads {
+    pub(super) list: Vec<Triad>,
+    /// The triad of each node, by their indices.
+    pub(super) of: HashMap<usize, usize>,
+    known: HashMap<Named, Option<usize>>,
+    global: Option<usize>,
+    /// Those that nodes b have only from their nodes a.
+    inherited: HashMap<usize, usize>,
+}
+
+/// The name of an orientation in a scope, and where it is named.
+type Wanted<'l> = (u32, &'l Label, Place);
+
+impl Triads {
+    /// Gives a node the orientation of this name; a fault if it has another.
+    pub(super) fn give(&mut self, model: &Model, node: usize, wanted: Wanted, is_plane: bool, log: &mut Log) {
+        let place = wanted.2;
+        if let Some(triad) = self.find(model, wanted, is_plane, log) {
+            self.set(node, triad, place, log);
+        }
+    }
+
+    fn set(&mut self, node: usize, triad: usize, place: Place, log: &mut Log) {
+        let before = *self.of.entry(node).or_insert(triad);
+        if before != triad {
+            let [before, triad] = [before, triad].map(|triad| &self.list[triad].name);
+            let found = format!("orientation {triad:?} at a node that has {before:?}");
+            log.fault(place, found, "one orientation for each node; two nodes at one place may have two");
+        }
+    }
+
+    /// A node b without an orientation has that of a at the start.
+    pub(super) fn inherit(&mut self, model: &Model, node: usize, wanted: Wanted, is_plane: bool, log: &mut Log) {
+        let place = wanted.2;
+        let Some(triad) = self.find(model, wanted, is_plane, log) else { return };
+        let before = *self.inherited.entry(node).or_insert(triad);
+        if before != triad || self.of.get(&node).is_some_and(|own| *own != triad) {
+            self.set(node, triad, place, log);
+        }
+    }
+
+    /// Gives a node the global axes.
+    pub(super) fn give_global(&mut self, node: usize, place: Place, log: &mut Log) {
+        let global = *self.global.get_or_insert_with(|| {
+            self.list.push(Triad { name: "global axes".into(), place, axes: Ok([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]) });
+            self.list.len() - 1
+        });
+        self.set(node, global, place, log);
+    }
+
+    fn find(&mut self, model: &Model, (scope, label, place): Wanted, is_plane: bool, log: &mut Log) -> Option<usize> {
+        let named = candidates(model, scope, &label.key).into_iter().find(|name| model.orientations.contains_key(name));
+        let Some(named) = named else {
+            let names = some_of(model.orientations.values().map(|orientation| &orientation.shown));
+            let allowed =
+                if names.is_empty() { "no orientation, there are none".into() } else { format!("one of {names}") };
+            log.fault(place, format!("no orientation {:?}", label.shown), allowed);
+            return None;
+        };
+        if let Some(known) = self.known.get(&named) {
+            return *known;
+        }
+        let orientation = &model.orientations[&named];
+        let triad = triad(model, named.0, orientation, is_plane, log);
+        let index = triad.map(|triad| {
+            self.list.push(triad);
+            self.list.len() - 1
+        });
+        self.known.insert(named, index);
+        index
+    }
+}
+
+fn triad(model: &Model, scope: u32, orientation: &Orientation, is_plane: bool, log: &mut Log) -> Option<Triad> {
+    let Orientation { shown, place, system, points, turn, motion } = orientation;
+    let mut at = |&(node, place): &(Numbered, Place)| {
+        let known = model.nodes.get(&node).map(|node| node.at);
+        if known.is_none() {
+            log.fault(place, format!("no node {}", model.shown(node)), "the number of a node");
+        }
+        known
+    };
+    let (points, motion) = match points {
+        Points::Coordinates(points) => (*points, motion.as_ref()),
+        // The nodes are where the instance is.
+        Points::Nodes([a, b], origin) => ([at(a)?, at(b)?, origin.as_ref().map_or(Some([0.0; 3]), at)?], None),
+    };
+    let axes = axes(points, *system == System::ThirdRectangular, *turn, motion);
+    let axes = if is_plane {
+        let angle = angle(axes);
+        if angle.is_none() {
+            log.fault(*place, "axes that are not in the plane", "points in the plane, b to the left of the first axis");
+        }
+        Err(angle?)
+    } else {
+        Ok(axes)
+    };
+    let of = &model.scopes[scope as usize];
+    let name = if of.is_empty() { shown.clone() } else { format!("{of}.{shown}") };
+    Some(Triad { name, place: *place, axes })
+}

@@ -1,0 +1,447 @@
+//! From what a deck says to the text of a scene.
+
+use super::log::Log;
+use super::model::{Element, Interface, Model, Numbered, Section, SlideLine, Type};
+use super::plan::{Planned, planned};
+use super::sets::{members, nodes_of};
+use super::source::Place;
+use super::terms::dimension_of;
+use super::text::{ARRAY, OBJECT, Text};
+use super::triads::{Triad, Triads};
+use crate::scene::kind::{Dimension, Kind};
+use crate::scene::plan::wanted;
+use crate::scene::read::keys;
+
+/// A scene before it is text: its parts in order.
+struct Draft<'m> {
+    model: &'m Model,
+    dimension: Dimension,
+    /// The section, slide line and interface of each element, by its index.
+    sections: Vec<Option<u32>>,
+    lines: Vec<Option<u32>>,
+    interfaces: Vec<Option<u32>>,
+    plans: Vec<Vec<Planned>>,
+    sliders: Vec<([Numbered; 3], Place)>,
+    triads: Triads,
+    /// Whether the scene has a node, by its index.
+    is_used: Vec<bool>,
+}
+
+/// The text of the scene.
+pub(super) fn write(model: &Model, log: &mut Log) -> Text {
+    let mut text = Text::default();
+    let Some(dimension) = dimension(model, log) else { return text };
+    let plans: Vec<_> = model.sections.iter().map(|section| planned(model, section, dimension, log)).collect();
+    let owners = |named: Vec<(u32, &str, Place)>, what, is_of: &dyn Fn(&Element) -> bool, log: &mut Log| {
+        owners(model, named, what, is_of, log)
+    };
+    let named =
+        model.sections.iter().map(|section| (section.scope, &*section.elements.0.key, section.elements.1)).collect();
+    let sections = owners(named, "connector section", &|element| !element.of.slides(), log);
+    let named = model.lines.iter().map(|line| (line.scope, &*line.elements.0.key, line.elements.1)).collect();
+    let lines = owners(named, "slide line", &|element| element.of.slides(), log);
+    let named = model.interfaces.iter().map(|of| (of.scope, &*of.elements.0.key, of.elements.1)).collect();
+    let interfaces = owners(named, "interface", &|element| element.of.slides(), log);
+    let (triads, is_used) = (Triads::default(), vec![false; model.nodes.len()]);
+    let sliders = sliders(model, log);
+    let mut draft = Draft { model, dimension, sections, lines, interfaces, plans, sliders, triads, is_used };
+    draft.check(log);
+    draft.write(&mut text, log);
+    text
+}
+
+/// The dimension of the elements.
+fn dimension(model: &Model, log: &mut Log) -> Option<Dimension> {
+    let of = |element: &Element| match element.of {
+        Type::Connector => Dimension::Space,
+        Type::PlaneConnector => Dimension::Plane,
+        Type::Linear | Type::Parabolic => Dimension::Axisymmetric,
+    };
+    let others = || model.others.keys().find_map(|other| dimension_of(other));
+    let slides = model.elements.values().any(|element| element.of.slides());
+    // Connectors of the plane are also those of axisymmetric models.
+    let first = model.elements.values().next().map(of);
+    let dimension = if slides { Some(Dimension::Axisymmetric) } else { first };
+    let dimension = match dimension {
+        Some(Dimension::Plane) => others().filter(|of| *of == Dimension::Axisymmetric).or(dimension),
+        None => Some(others().unwrap_or(Dimension::Space)),
+        _ => dimension,
+    }?;
+    let allowed = |element: &Element| {
+        let of = of(element);
+        of == dimension || of == Dimension::Plane && dimension == Dimension::Axisymmetric
+    };
+    if let Some(element) = model.elements.values().find(|element| !allowed(element)) {
+        let name = Type::ALL.iter().find(|(_, of)| *of == element.of).map_or("", |(name, _)| name);
+        log.fault(
+            element.place,
+            format!("an element of type {name} in a model that is {}", dimension.name()),
+            "elements of one dimension",
+        );
+        return None;
+    }
+    Some(dimension)
+}
+
+/// The section, line or interface of each element, by its index; each element has at most one.
+fn owners(
+    model: &Model,
+    named: Vec<(u32, &str, Place)>,
+    what: &str,
+    is_of: &dyn Fn(&Element) -> bool,
+    log: &mut Log,
+) -> Vec<Option<u32>> {
+    let mut owners = vec![None; model.elements.len()];
+    let is_known = |element| model.elements.get(&element).is_some_and(is_of);
+    for (owner, (scope, key, place)) in (0..).zip(named) {
+        for (element, at) in members(model, &model.element_sets, "element", (scope, key, place), log, &is_known) {
+            let Some(index) = model.elements.get_index_of(&element) else { continue };
+            if owners[index].replace(owner).is_some_and(|before| before != owner) {
+                let found = format!("element {} in a second {what}", model.shown(element));
+                log.fault(at, found, format!("one {what} for each element"));
+            }
+        }
+    }
+    owners
+}
+
+/// The nodes of each SLIDER: first, last and the node between.
+fn sliders(model: &Model, log: &mut Log) -> Vec<([Numbered; 3], Place)> {
+    let mut all = Vec::new();
+    for references in &model.sliders {
+        let [first, last, nodes] = references.each_ref().map(|reference| nodes_of(model, reference, log));
+        for (k, &(node, _)) in nodes.iter().enumerate() {
+            // A set for an end of the line has one node, or one for each node on it.
+            let end = |ends: &[(Numbered, Place)]| ends.get(if ends.len() == 1 { 0 } else { k }).map(|&(end, _)| end);
+            match (end(&first), end(&last)) {
+                (Some(first), Some(last)) => all.push(([first, last, node], references[2].place)),
+                _ if first.is_empty() || last.is_empty() => {}
+                _ => {
+                    let found = format!("{} nodes for {} ends of lines", nodes.len(), first.len().min(last.len()));
+                    log.fault(references[2].place, found, "one line, or one for each node");
+                    break;
+                }
+            }
+        }
+    }
+    all
+}
+
+impl<'m> Draft<'m> {
+    fn use_node(&mut self, node: Numbered, place: Place, log: &mut Log) -> Option<usize> {
+        let index = self.model.nodes.get_index_of(&node);
+        match index {
+            Some(index) => self.is_used[index] = true,
+            None => log.fault(place, format!("no node {}", self.model.shown(node)), "the number of a node"),
+        }
+        index
+    }
+
+    /// Which nodes there are, and their triads; and whether every element has what it needs.
+    fn check(&mut self, log: &mut Log) {
+        let model = self.model;
+        for (index, element) in model.elements.values().enumerate() {
+            let is_left_out = |section: u32| self.plans[section as usize].is_empty();
+            if self.sections[index].is_some_and(is_left_out) {
+                continue;
+            }
+            let nodes: Vec<_> = element.nodes.iter().map(|&(node, place)| self.use_node(node, place, log)).collect();
+            if element.of.slides() {
+                for (owner, keyword) in [(self.lines[index], "*SLIDE LINE"), (self.interfaces[index], "*INTERFACE")] {
+                    if owner.is_none() {
+                        log.fault(
+                            element.place,
+                            format!("an element of no {keyword}"),
+                            "an element of one of its sets",
+                        );
+                    }
+                }
+                continue;
+            }
+            let Some(section) = self.sections[index] else {
+                log.fault(element.place, "a connector of no *CONNECTOR SECTION", "an element of one of its sets");
+                continue;
+            };
+            let [Some(a), Some(b)] = nodes[..] else { continue };
+            for k in 0..self.plans[section as usize].len() {
+                let kind = self.plans[section as usize][k].kind;
+                self.orient(kind, &model.sections[section as usize], [a, b], log);
+            }
+        }
+        let of_lines = model.lines.iter().flat_map(|line| line.nodes.iter().copied());
+        let of_sliders = self.sliders.iter().flat_map(|&(nodes, place)| nodes.map(|node| (node, place)));
+        for (node, place) in of_lines.chain(of_sliders).collect::<Vec<_>>() {
+            self.use_node(node, place, log);
+        }
+        let planned =
+            |index: usize| self.sections[index].is_none_or(|section| !self.plans[section as usize].is_empty());
+        if self.sliders.is_empty() && !(0..self.model.elements.len()).any(planned) {
+            let first = self.model.elements.values().next();
+            let place = first.map_or(Place { file: 0, at: 0 }, |element| element.place);
+            log.fault(
+                place,
+                "no connector that a scene can have",
+                "elements CONN3D2, CONN2D2, ISL21A or ISL22A, or *MPC SLIDER",
+            );
+        }
+    }
+
+    /// Gives the nodes of a connector the triads of its section.
+    fn orient(&mut self, kind: &Kind, section: &'m Section, [a, b]: [usize; 2], log: &mut Log) {
+        let is_plane = self.dimension != Dimension::Space;
+        for (end, node) in [a, b].into_iter().enumerate() {
+            if !kind.reads_triad(end) {
+                continue;
+            }
+            match &section.orientations[end] {
+                Some((label, place)) => {
+                    let named = (section.scope, label, *place);
+                    self.triads.give(self.model, node, named, is_plane, log);
+                }
+                // The documents let it be that of a; JOIN needs none at all.
+                None if end == 1 => {
+                    if let Some((label, place)) = &section.orientations[0] {
+                        self.triads.inherit(self.model, node, (section.scope, label, *place), is_plane, log);
+                    }
+                }
+                None if kind.name == "join" => self.triads.give_global(node, section.place, log),
+                None => {
+                    let found = format!("no orientation at a, in whose axes {} measures", kind.name.to_uppercase());
+                    log.fault(section.place, found, "a second data line with the name of an orientation");
+                }
+            }
+        }
+    }
+
+    fn write(&mut self, text: &mut Text, log: &mut Log) {
+        text.json.push_str("{\n");
+        if !self.model.title.is_empty() {
+            text.json.push_str("  \"title\": ");
+            text.string(&self.model.title);
+            text.json.push_str(",\n");
+        }
+        text.json.push_str("  \"dimension\": ");
+        text.string(self.dimension.name());
+        if !self.triads.list.is_empty() {
+            text.json.push_str(",\n  \"orientations\": ");
+            text.list(OBJECT, true, &self.triads.list, |text, Triad { name, place, axes }| {
+                text.from(*place).key(name);
+                text.list(OBJECT, false, [axes], |text, axes| match axes {
+                    Err(angle) => {
+                        text.key(keys::PLANE_ORIENTATION[0]);
+                        text.number(*angle);
+                    }
+                    Ok(axes) => {
+                        text.key(keys::SPACE_ORIENTATION[0]);
+                        text.list(ARRAY, false, axes, |text, axis| text.list(ARRAY, false, *axis, Text::number));
+                    }
+                });
+            });
+        }
+        text.json.push_str(",\n  \"nodes\": ");
+        self.write_nodes(text, log);
+        if !self.model.lines.is_empty() {
+            text.json.push_str(",\n  \"slide_lines\": ");
+            let lines = self.model.lines.iter().enumerate();
+            text.list(OBJECT, true, lines, |text, (index, line)| self.write_line(text, index, line, log));
+        }
+        text.json.push_str(",\n  \"elements\": ");
+        let outputs = self.outputs();
+        self.write_elements(text, &outputs);
+        text.json.push_str(",\n  \"outputs\": ");
+        text.list(ARRAY, false, outputs, Text::string);
+        text.json.push_str("\n}\n");
+    }
+
+    fn write_nodes(&self, text: &mut Text, log: &mut Log) {
+        let used = self.model.nodes.iter().enumerate().filter(|(index, _)| self.is_used[*index]);
+        let coordinates = self.dimension.coordinates();
+        text.list(OBJECT, true, used, |text, (index, (&number, node))| {
+            text.from(node.place).key(&self.model.shown(number));
+            let triad = self.triads.of.get(&index).map(|&triad| &self.triads.list[triad].name);
+            text.json.push_str("{ ");
+            text.key(keys::NODE[0]);
+            text.list(ARRAY, false, &node.at[..coordinates], |text, coordinate| text.number(*coordinate));
+            if let Some(name) = triad {
+                text.json.push_str(", ");
+                text.key(keys::NODE[1]);
+                text.string(name);
+            }
+            text.json.push_str(" }");
+            if let Some(third) = node.at[coordinates..].iter().find(|third| **third != 0.0) {
+                log.fault(node.place, format!("a third coordinate of {third:?}"), "0, in the plane");
+            }
+        });
+    }
+
+    fn write_line(&self, text: &mut Text, index: usize, line: &SlideLine, log: &mut Log) {
+        let of = |owner: &Option<u32>| owner.is_some_and(|owner| owner as usize == index);
+        let mut interfaces: Vec<u32> = Vec::new();
+        for (owner, interface) in self.lines.iter().zip(&self.interfaces) {
+            interfaces.extend(interface.filter(|interface| of(owner) && !interfaces.contains(interface)));
+        }
+        if let [_, second, ..] = interfaces[..] {
+            let place = self.model.interfaces[second as usize].elements.1;
+            log.fault(place, "elements of one slide line with two interfaces", "one interface for all of them");
+        }
+        text.from(line.elements.1).key(&line.elements.0.shown);
+        let interface = interfaces.first().map(|&interface| &self.model.interfaces[interface as usize]);
+        let parts: Vec<_> = keys::SLIDE_LINE.iter().filter(|key| self.has(line, interface, key)).collect();
+        text.from(line.place).list(OBJECT, false, parts, |text, key| {
+            text.key(key);
+            self.write_part(text, line, interface, key);
+        });
+        if let Some(friction) = interface.and_then(|interface| interface.friction) {
+            let what = "friction of the slide line: the scene needs \"k_stick\", which a deck does not give";
+            log.leave_out(friction, what, true);
+        }
+    }
+
+    fn has(&self, line: &SlideLine, interface: Option<&Interface>, key: &str) -> bool {
+        match key {
+            "type" | "nodes" => true,
+            "smooth" => line.smooth.is_some(),
+            "extension_zone" => line.extension.is_some(),
+            "pressure" => interface.is_some_and(|interface| !interface.pressure.is_empty()),
+            "torque_frequency" => self.model.torque_frequency.is_some(),
+            _ => false,
+        }
+    }
+
+    fn write_part(&self, text: &mut Text, line: &SlideLine, interface: Option<&Interface>, key: &str) {
+        let number = |text: &mut Text, given: Option<(f64, Place)>| {
+            if let Some((number, place)) = given {
+                text.from(place).number(number);
+            }
+        };
+        match key {
+            "type" => text.string(if line.parabolic { "parabolic" } else { "linear" }),
+            "nodes" => {
+                let from = line.nodes.first().map_or(line.place, |&(_, place)| place);
+                text.from(from).list(ARRAY, false, &line.nodes, |text, &(node, place)| {
+                    text.from(place).string(&self.model.shown(node));
+                });
+            }
+            "pressure" => {
+                let law = interface.map(|interface| &*interface.pressure).unwrap_or_default();
+                text.list(OBJECT, false, law, |text, &(key, (number, place))| {
+                    text.from(place).key(key);
+                    text.number(number);
+                });
+            }
+            "torque_frequency" => {
+                if let Some((frequency, place)) = self.model.torque_frequency {
+                    text.from(place).json.push_str(&frequency.to_string());
+                }
+            }
+            "extension_zone" => number(text, line.extension),
+            _ => number(text, line.smooth),
+        }
+    }
+
+    /// The outputs of the scene: of each kind those that all its elements can have.
+    fn outputs(&self) -> Vec<&'static str> {
+        let mut of_kinds: Vec<(&'static Kind, u64)> = Vec::new();
+        let mut note =
+            |kind: &'static Kind, outputs: u64| match of_kinds.iter_mut().find(|(known, _)| known.name == kind.name) {
+                Some((_, all)) => *all &= outputs,
+                None => of_kinds.push((kind, outputs)),
+            };
+        for section in self.sections.iter().flatten() {
+            self.plans[*section as usize].iter().for_each(|plan| note(plan.kind, plan.outputs));
+        }
+        let others = self.model.elements.values().filter_map(|element| self.sliding_kind(element));
+        let sliders = self.sliders.first().and_then(|_| Kind::find("slider", self.dimension));
+        others.chain(sliders).for_each(|kind| note(kind, u64::MAX));
+        let mut outputs = Vec::new();
+        for (output, _) in of_kinds.into_iter().flat_map(|(kind, mask)| wanted(kind, mask)) {
+            if !outputs.contains(&output) {
+                outputs.push(output);
+            }
+        }
+        outputs
+    }
+
+    fn sliding_kind(&self, element: &Element) -> Option<&'static Kind> {
+        let name = match element.of {
+            Type::Linear => "isl21a",
+            Type::Parabolic => "isl22a",
+            Type::Connector | Type::PlaneConnector => return None,
+        };
+        Kind::find(name, self.dimension)
+    }
+
+    fn write_elements(&self, text: &mut Text, outputs: &[&str]) {
+        let of_deck = self.model.elements.iter().enumerate().flat_map(|(index, (&number, element))| {
+            let plans = self.sections[index].map(|section| &*self.plans[section as usize]).unwrap_or_default();
+            let sliding = self.lines[index].and_then(|line| Some((self.sliding_kind(element)?, line)));
+            let connectors =
+                plans.iter().map(move |plan| Entry::Connector(index, number, element, plan, plans.len() > 1));
+            connectors.chain(sliding.map(|(kind, line)| Entry::Sliding(number, element, kind, line)))
+        });
+        let sliders = (0..self.sliders.len()).map(Entry::Slider);
+        text.list(OBJECT, true, of_deck.chain(sliders), |text, entry| self.write_element(text, &entry, outputs));
+    }
+
+    fn write_element(&self, text: &mut Text, entry: &Entry, outputs: &[&str]) {
+        let nodes = |text: &mut Text, nodes: &[(Numbered, Place)]| {
+            text.json.push_str(", ");
+            text.key(keys::ELEMENT[1]);
+            text.list(ARRAY, false, nodes, |text, &(node, place)| text.from(place).string(&self.model.shown(node)));
+        };
+        match *entry {
+            Entry::Connector(index, number, element, plan, is_part) => {
+                let of = if is_part { format!(" {}", plan.kind.name) } else { String::new() };
+                text.from(element.place).key(&(self.model.shown(number) + &of));
+                let section =
+                    self.sections[index].map_or(element.place, |section| self.model.sections[section as usize].place);
+                text.from(section).json.push_str("{ ");
+                text.key(keys::ELEMENT[0]);
+                text.string(plan.kind.name);
+                text.from(element.place);
+                nodes(text, &element.nodes);
+                for &(key, number, place) in &plan.parameters {
+                    text.from(place).json.push_str(", ");
+                    text.key(key);
+                    text.number(number);
+                }
+                let has = wanted(plan.kind, u64::MAX).filter(|(output, _)| outputs.contains(output));
+                let own: Vec<_> = wanted(plan.kind, plan.outputs).map(|(output, _)| output).collect();
+                if !has.map(|(output, _)| output).eq(own.iter().copied()) {
+                    text.json.push_str(", ");
+                    text.key(keys::ELEMENT[2]);
+                    text.list(ARRAY, false, own, Text::string);
+                }
+            }
+            Entry::Sliding(number, element, kind, line) => {
+                text.from(element.place).key(&self.model.shown(number));
+                text.json.push_str("{ ");
+                text.key(keys::ELEMENT[0]);
+                text.string(kind.name);
+                nodes(text, &element.nodes);
+                text.json.push_str(", ");
+                text.key(keys::SLIDING_ELEMENT[3]);
+                text.string(&self.model.lines[line as usize].elements.0.shown);
+            }
+            Entry::Slider(index) => {
+                let ([first, last, node], place) = self.sliders[index];
+                let before = self.sliders[..index].iter().filter(|([.., other], _)| *other == node).count();
+                let again = if before == 0 { String::new() } else { format!(" {}", before + 1) };
+                text.from(place).key(&format!("slider {}{again}", self.model.shown(node)));
+                text.json.push_str("{ ");
+                text.key(keys::ELEMENT[0]);
+                text.string("slider");
+                nodes(text, &[first, last, node].map(|node| (node, place)));
+            }
+        }
+        text.json.push_str(" }");
+    }
+}
+
+/// An element of the scene.
+enum Entry<'m> {
+    /// The index and the number, and whether it is one of several.
+    Connector(usize, Numbered, &'m Element, &'m Planned, bool),
+    Sliding(Numbered, &'m Element, &'static Kind, u32),
+    Slider(usize),
+}
