@@ -144,7 +144,9 @@ fn areas_of_nodes_against_their_integrals() {
     expect(&[[1.0, 0.0], [2.0, 0.0]], &[-25.0, 20.0], 1e-4);
     expect(&[[3.0, 0.0], [14.0, 0.0]], &[-55.0, 35.483_871], 1e-4);
     expect(&[[0.0, 0.0], [1.0, 0.0]], &[-100.0, 50.0], 1e-4);
+    // On a straight ISL22A with the midside node in the middle there is no difference; with it elsewhere there is one.
     expect(&[[1.0, 0.0], [1.5, 0.5], [2.0, 1.0]], &[0.0, 0.0, 0.0], 1e-4);
+    assert!(errors(&[[1.0, 0.0], [1.7, 0.0], [3.0, 0.0]]).iter().all(|error| error.abs() > 5.0));
     let (sine, cosine) = (PI / 4.0).sin_cos();
     expect(&[[1.0, 0.0], [2.0 - cosine, sine], [2.0, 1.0]], &[19.0, -9.15, 14.0], 0.05);
 }
