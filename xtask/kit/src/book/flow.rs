@@ -3,6 +3,12 @@
 //! `MathML` in browsers has no line breaks, so an equation is cut before its relations and signs into several `math`
 //! elements, which wrap like words: on a desk, on a phone and on paper alike. The outermost operators break first.
 
+mod node;
+#[cfg(test)]
+mod tests;
+
+use node::{Node, PRODUCTS, RELATIONS, SIGNS, parsed, width};
+
 /// Terms up to this width, in em, are never broken: they fit a phone.
 const WHOLE: f64 = 13.0;
 
@@ -12,146 +18,11 @@ const LEFT: f64 = 12.0;
 /// Factors up to this width stay with their product.
 const SHORT: f64 = 4.0;
 
-/// Relations, before which a line is aligned and may break.
-const RELATIONS: &str = "=≈≠<>≤≥→⇒∝≡∈";
-
-/// Signs between terms.
-const SIGNS: &str = "+−±";
-
-/// Signs between factors.
-const PRODUCTS: &str = "⋅×⊗";
-
 /// The pieces of HTML of an equation that was converted to `MathML`, with `latex` as its alternative text.
 pub(super) fn flow(mathml: &str, alternative: &str) -> String {
     let lines: Vec<Line> = parsed(mathml).map(|math| lines(math.inner)).unwrap_or_default();
     let html: String = lines.into_iter().map(Line::html).collect();
     format!("<span class=\"math-block\" tabindex=\"0\" role=\"math\" aria-label=\"{alternative}\">{html}</span>")
-}
-
-/// An element of `MathML`.
-#[derive(Clone, Debug, Default)]
-struct Node {
-    /// The tag with its attributes.
-    tag: String,
-    text: String,
-    inner: Vec<Node>,
-}
-
-impl Node {
-    fn new(tag: &str, inner: Vec<Node>) -> Self {
-        Self { tag: tag.into(), text: String::new(), inner }
-    }
-
-    fn leaf(tag: &str, text: &str) -> Self {
-        Self { tag: tag.into(), text: text.into(), inner: Vec::new() }
-    }
-
-    fn name(&self) -> &str {
-        self.tag.split(' ').next().unwrap_or_default()
-    }
-
-    /// The character of an operator, or an empty text.
-    fn operator(&self) -> &str {
-        match (self.name(), self.text.as_str()) {
-            ("mo", "&lt;") => "<",
-            ("mo", "&gt;") => ">",
-            ("mo", text) => text,
-            _ => "",
-        }
-    }
-
-    fn is_in(&self, operators: &str) -> bool {
-        let text = self.operator();
-        !text.is_empty() && operators.contains(text)
-    }
-
-    /// By how much the depth of brackets changes here; a closing bracket may bear an exponent.
-    fn opens(&self) -> i32 {
-        let mark = if self.name().starts_with("msu") { self.inner.first().unwrap_or(self) } else { self };
-        match mark.operator() {
-            "(" | "[" => 1,
-            ")" | "]" => -1,
-            "|" if mark.tag.contains("prefix") => 1,
-            "|" if mark.tag.contains("postfix") => -1,
-            _ => 0,
-        }
-    }
-
-    /// Whether an operator that follows has an operand on its left.
-    fn ends_operand(&self) -> bool {
-        self.opens() < 0 || !matches!(self.name(), "mo" | "mspace") || self.is_in("′∘|")
-    }
-
-    /// A space that separates quantities.
-    fn is_quad(&self) -> bool {
-        let width = self.tag.strip_prefix("mspace width=\"").and_then(|rest| rest.split_once("em\""));
-        width.and_then(|(em, _)| em.parse().ok()).is_some_and(|em: f64| em >= 1.0)
-    }
-
-    /// The estimated width, in em.
-    fn width(&self) -> f64 {
-        let widest = |nodes: &[Node]| nodes.iter().map(Node::width).fold(0.0, f64::max);
-        let is_script = self.name().starts_with("msu");
-        match self.name() {
-            "mo" if self.is_in(RELATIONS) || self.is_in(SIGNS) || self.is_in(PRODUCTS) => 1.15,
-            "mo" if self.text.chars().count() == 1 => 0.4,
-            "mspace" => 0.5,
-            "mi" | "mn" | "mo" | "mtext" => 0.55 * self.text.chars().count() as f64,
-            "mfrac" => widest(&self.inner) + 0.2,
-            "mtable" => {
-                let columns = self.inner.iter().map(|row| row.inner.len()).max().unwrap_or(0);
-                let column = |k: usize| {
-                    let cells = self.inner.iter().filter_map(|row| row.inner.get(k));
-                    cells.map(Node::width).fold(0.0, f64::max)
-                };
-                (0..columns).map(|k| column(k) + 0.8).sum()
-            }
-            _ if is_script => self.inner[..1].iter().map(Node::width).sum::<f64>() + 0.7 * widest(&self.inner[1..]),
-            "munder" | "munderover" | "mover" => widest(&self.inner),
-            "msqrt" => width(&self.inner) + 0.8,
-            _ => width(&self.inner),
-        }
-    }
-
-    fn html(&self, out: &mut String) {
-        if self.inner.is_empty() && self.text.is_empty() && self.name() == "mspace" {
-            out.extend(["<", &self.tag, "/>"]);
-            return;
-        }
-        out.extend(["<", &self.tag, ">", &self.text]);
-        self.inner.iter().for_each(|node| node.html(out));
-        out.extend(["</", self.name(), ">"]);
-    }
-}
-
-fn width(nodes: &[Node]) -> f64 {
-    nodes.iter().map(Node::width).sum()
-}
-
-/// The element at the beginning of a text in the `MathML` of the converter, which is well formed and has no comments.
-fn parsed(mathml: &str) -> Option<Node> {
-    let mut open: Vec<Node> = Vec::new();
-    let mut rest = mathml;
-    while let Some((text, after)) = rest.split_once('<') {
-        let (tag, after) = after.split_once('>')?;
-        if let Some(node) = open.last_mut().filter(|node| node.inner.is_empty()) {
-            node.text += text;
-        }
-        rest = after;
-        let done = if tag.starts_with('/') {
-            open.pop()?
-        } else if let Some(tag) = tag.strip_suffix('/') {
-            Node::leaf(tag, "")
-        } else {
-            open.push(Node::leaf(tag, ""));
-            continue;
-        };
-        match open.last_mut() {
-            Some(parent) => parent.inner.push(done),
-            None => return Some(done),
-        }
-    }
-    None
 }
 
 /// A quantity: what is left of its relation, if that is short, and the rest.
@@ -314,7 +185,9 @@ fn math(mut row: Vec<Node>, is_cut: bool) -> String {
         first.tag += " form=\"infix\"";
     }
     let mut out = "<math displaystyle=\"true\">".to_owned();
-    row.iter().for_each(|node| node.html(&mut out));
+    for node in &row {
+        node.html(&mut out);
+    }
     out + "</math>"
 }
 
@@ -387,11 +260,10 @@ fn opened(row: Vec<Node>, is_cut: bool) -> Vec<Part> {
         None => parts.push(Part::Whole(closing.into_iter().collect(), false)),
     }
     let rest: Vec<Node> = ends.collect();
-    if rest.iter().all(|node| node.name() == "mspace" || node.is_in(",.;")) || width(&rest) <= SHORT {
-        if let Some(last) = parts.last_mut().and_then(Part::last) {
-            last.extend(rest);
-            return parts;
-        }
+    let is_short = width(&rest) <= SHORT || rest.iter().all(|node| node.name() == "mspace" || node.is_in(",.;"));
+    if let Some(last) = parts.last_mut().and_then(Part::last).filter(|_| is_short) {
+        last.extend(rest);
+        return parts;
     }
     if !rest.is_empty() {
         parts.extend(set(rest, true));
@@ -537,87 +409,5 @@ fn contents(cell: Node) -> Vec<Node> {
         Ok([row]) if row.tag == "mrow" => row.inner,
         Ok([one]) => vec![one],
         Err(nodes) => nodes,
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use jointproof::catalog::CATALOG;
-    use jointproof::toolkit::equation::{Signature, View};
-    use math_core::{LatexToMathML, MathCoreConfig, MathDisplay};
-
-    fn mathml(latex: &str) -> String {
-        let converter = LatexToMathML::new(MathCoreConfig::default()).unwrap();
-        converter.convert_with_local_state(latex, MathDisplay::Block).unwrap().mathml
-    }
-
-    /// Lines, with a bar before the relation and slashes between the pieces.
-    fn set_as(latex: &str) -> Vec<String> {
-        let html = flow(&mathml(latex), "");
-        let lines = html.split("<span class=\"line").skip(1);
-        let line = |line: &str| {
-            let marked = line.replace("</math></span><span class=\"right\">", "|").replace("</math>", "/");
-            let plain = marked.split('<').map(|part| part.rsplit_once('>').map_or(part, |(_, text)| text));
-            plain.collect::<String>().trim_start_matches("\" alone\"").trim_end_matches('/').to_owned()
-        };
-        lines.map(line).collect()
-    }
-
-    #[test]
-    fn a_quantity_has_a_line_and_a_remark_stays_with_it() {
-        assert_eq!(set_as(r"a = b,\quad c = d\quad (i = 1, 2),\quad e"), ["a|=b,", "c|=d/(i=1,2),/e"]);
-        assert_eq!(set_as(r"\begin{aligned} a &= b, & c &= d, \\ e &= f \end{aligned}"), ["a|=b,", "c|=d,", "e|=f"]);
-        assert_eq!(set_as(r"a"), ["a"]);
-    }
-
-    #[test]
-    fn lines_break_before_relations_and_signs_but_not_after_an_operator_or_in_short_brackets() {
-        assert_eq!(set_as("a = -b + c(d - e) = f"), ["a|=−b/+c(d−e)/=f"]);
-        assert_eq!(set_as("a = b^{-1} - (c)^2 + -d"), ["a|=b−1/−(c)2/+−d"]);
-    }
-
-    #[test]
-    fn what_is_too_wide_is_opened_at_its_widest_bracket_fraction_root_and_case() {
-        let sum = "xxxxxxxxxx + yyyyyyyyyy + zzzzzzzzzz";
-        let opened = "(xxxxxxxxxx/+yyyyyyyyyy/+zzzzzzzzzz)";
-        assert_eq!(set_as(&format!("a = b({sum})c")), [format!("a|=b{opened}c")]);
-        assert_eq!(set_as(&format!(r"a = \left({sum}\right)^2")), [format!("a|={opened}2")]);
-        assert_eq!(set_as(&format!(r"a = \frac{{{sum}}}{{c}}")), [format!("a|=1c{opened}")]);
-        assert_eq!(set_as(&format!(r"a = \sqrt{{{sum}}}")), [format!("a|={opened}12")]);
-        let cases = format!(r"a = \begin{{cases}} {sum} & b > 0 \\ 0 & \text{{otherwise}} \end{{cases}}");
-        let html = flow(&mathml(&cases), "");
-        assert_eq!(html.matches("<span class=\"cases\">").count(), 1, "{html}");
-        assert!(set_as(&cases)[0].contains("xxxxxxxxxx/+yyyyyyyyyy/+zzzzzzzzzz/"), "{html}");
-    }
-
-    /// Everything that entries show: no letter is lost, and no piece is wider than a column.
-    #[test]
-    fn all_equations_of_the_catalog_fit() {
-        let letters = |html: &str| {
-            let mut all: Vec<String> =
-                html.split("<mi").skip(1).filter_map(|rest| rest.split(['>', '<']).nth(1).map(String::from)).collect();
-            all.sort();
-            all
-        };
-        let mut widest = (0.0, String::new());
-        for formula in CATALOG {
-            let signature = Signature { spec: formula.spec(), inputs: formula.inputs(), outputs: formula.outputs() };
-            let views = View::of(&signature).unwrap().map(|view| [view.variation, view.closed].concat());
-            let all = [vec![formula.spec().latex.to_owned()], views.unwrap_or_default()].concat();
-            for latex in all {
-                let whole = mathml(&latex);
-                let html = flow(&whole, "");
-                assert_eq!(letters(&html), letters(&whole), "{latex}");
-                for piece in html.split("<math displaystyle").skip(1) {
-                    let piece = format!("<math displaystyle{}", piece.split_once("</math>").unwrap().0) + "</math>";
-                    let width = width(&parsed(&piece).unwrap().inner);
-                    if width > widest.0 {
-                        widest = (width, latex.clone());
-                    }
-                }
-            }
-        }
-        assert!(widest.0 > WHOLE / 2.0 && widest.0 < 28.0, "{widest:?}");
     }
 }
