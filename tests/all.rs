@@ -6,6 +6,7 @@ mod bad_input;
 mod batch;
 mod calculix;
 mod cardan;
+mod claims;
 mod closest;
 mod columns;
 mod common;

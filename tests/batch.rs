@@ -142,6 +142,7 @@ fn columns_begin_with_different_lines_of_the_cache() {
 
 #[test]
 fn every_row_has_its_own_bits_on_any_number_of_threads() {
+    // So the result does not depend on how rows are shared out.
     let formula = find("slot.friction").unwrap();
     // Enough rows for more than one thread.
     let points = points(formula, 9000, 30);

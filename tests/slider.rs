@@ -330,6 +330,7 @@ fn near_the_x_axis_eta_is_at_most_8() {
 
 #[test]
 fn at_the_x_axis_directions_jump_and_what_they_constrain_does_not() {
+    // The distance does not depend on the directions, and the increment of m does not depend on them either.
     let m = Vector3::new(1.0, 0.0, 0.25);
     let (dx1, dxn) = (Vector3::new(0.25, -0.5, 0.75), Vector3::new(-0.5, 0.125, 0.25));
     let from_origin = |xn: Vector3<f64>| Slider::new(Vector3::zeros(), xn).unwrap();

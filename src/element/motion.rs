@@ -98,6 +98,7 @@ impl Tangent {
 
     /// K − Kᵀ is −\[m×\] in the block of a node's own spin, with the moment m on that node, and 0 elsewhere.
     pub(crate) fn is_symmetric_but_for_own_spins(&self) -> Vec<Equation> {
+        // Outside of these blocks the rest of the matrix is symmetric; where the moments at a node add up to zero, the assembled matrix is symmetric.
         let mut expected = Stiffness::zeros();
         for spin in [3, 9] {
             let moment = self.forces.fixed_rows::<3>(spin).into_owned();

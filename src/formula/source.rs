@@ -8,21 +8,26 @@ use std::fmt;
 pub struct Document {
     /// Its title.
     pub title: &'static str,
-    /// Where it can be read; empty if there is no link.
+    /// Where it, or its public counterpart, can be read; empty if there is no link.
     pub link: &'static str,
 }
 
 impl Document {
     /// The connector SLOT.
-    pub const SLOT: Self = Self::new("SLOT");
+    pub const SLOT: Self = Self::new("SLOT")
+        .link("https://abaqus-docs.mit.edu/2017/English/SIMACAEELMRefMap/simaelm-c-connectiontypedesc-slot.htm");
     /// The connector UJOINT.
-    pub const UJOINT: Self = Self::new("UJOINT");
+    pub const UJOINT: Self = Self::new("UJOINT")
+        .link("https://abaqus-docs.mit.edu/2017/English/SIMACAEELMRefMap/simaelm-c-connectiontypedesc-ujoint.htm");
     /// The sliding multi-point constraint; it has no headings.
-    pub const SLIDER: Self = Self::new("Sliding constraint");
+    pub const SLIDER: Self = Self::new("Sliding constraint")
+        .link("https://abaqus-docs.mit.edu/2017/English/SIMACAETHERefMap/simathe-c-slidermpc.htm");
     /// The connector TRANSLATOR.
-    pub const TRANSLATOR: Self = Self::new("TRANSLATOR");
+    pub const TRANSLATOR: Self = Self::new("TRANSLATOR")
+        .link("https://abaqus-docs.mit.edu/2017/English/SIMACAEELMRefMap/simaelm-c-connectiontypedesc-translator.htm");
     /// Slide lines and the elements on them.
-    pub const SLIDE_LINE: Self = Self::new("Slide lines");
+    pub const SLIDE_LINE: Self = Self::new("Slide lines")
+        .link("https://abaqus-docs.mit.edu/2017/English/SIMACAEITNRefMap/simaitn-c-slidelineelem.htm");
 
     /// A document with this title.
     pub const fn new(title: &'static str) -> Self {

@@ -8,13 +8,13 @@ use serde::{Deserialize, Serialize};
 pub struct Claim {
     /// The claim in words.
     pub claim: String,
-    /// The largest deviation allowed.
+    /// The largest deviation allowed; where some points have another bound, that of the worst deviation.
     pub bound: f64,
     /// The number of comparisons.
     pub checks: usize,
     /// The number of deviations above the bound.
     pub failures: usize,
-    /// The largest deviation.
+    /// The largest deviation, relative to its bound.
     pub worst: Option<Deviation>,
 }
 
@@ -62,16 +62,18 @@ impl Claim {
     /// Merges this claim with its checks at further points. Of two deviations of the same size the first is kept.
     #[must_use]
     pub(super) fn and(self, next: Self) -> Self {
-        let is_larger = match (&self.worst, &next.worst) {
-            (Some(worst), Some(next)) => next.size > worst.size,
+        let is_worse = match (&self.worst, &next.worst) {
+            (Some(_), Some(worst)) => self.is_exceeded_by(worst.size, next.bound),
             (None, _) => true,
             (_, None) => false,
         };
+        let (bound, worst) = if is_worse { (next.bound, next.worst) } else { (self.bound, self.worst) };
         Self {
+            claim: self.claim,
+            bound,
             checks: self.checks + next.checks,
             failures: self.failures + next.failures,
-            worst: if is_larger { next.worst } else { self.worst },
-            ..self
+            worst,
         }
     }
 
@@ -124,9 +126,17 @@ impl Claim {
     /// Counts a deviation, and describes it if it is the worst so far.
     pub(super) fn record(&mut self, size: f64, bound: f64, describe: impl FnOnce(f64) -> Deviation) {
         let size = self.count(size, bound);
-        if self.worst.as_ref().is_none_or(|worst| size > worst.size) {
+        if self.is_exceeded_by(size, bound) {
             self.worst = Some(describe(size));
+            self.bound = bound;
         }
+    }
+
+    /// Whether a deviation is worse than the worst so far, each compared with its own bound.
+    fn is_exceeded_by(&self, size: f64, bound: f64) -> bool {
+        self.worst.as_ref().is_none_or(|worst| {
+            if bound == self.bound { size > worst.size } else { size * self.bound > worst.size * bound }
+        })
     }
 
     /// Counts and returns a deviation that is not the worst, or for which this is decided elsewhere. NaN counts as
@@ -165,6 +175,23 @@ mod tests {
     fn deviation(size: f64, entry: &str) -> Deviation {
         let (found, expected, inputs) = (2.0, 1.0, serde_json::Value::Null);
         Deviation { size, entry: entry.into(), point: "there".into(), found, expected, inputs }
+    }
+
+    #[test]
+    fn the_worst_deviation_is_the_one_nearest_to_its_own_bound_and_keeps_it() {
+        let mut random = Claim::new("a claim", 1e-50);
+        random.record(9e-51, 1e-50, |size| deviation(size, "random"));
+        let mut hard = Claim::new("a claim", 1e-50);
+        hard.record(6e-43, 1e-35, |size| deviation(size, "hard"));
+        let shown = |claim: &Claim| (claim.worst.as_ref().map(|worst| worst.entry.clone()).unwrap(), claim.bound);
+        assert_eq!(shown(&hard), ("hard".into(), 1e-35));
+        for claim in [hard.clone().and(random.clone()), random.clone().and(hard.clone())] {
+            assert_eq!((shown(&claim), claim.checks, claim.failures), (("random".into(), 1e-50), 2, 0));
+        }
+        // A failure is never hidden behind a larger deviation that is allowed.
+        random.record(2e-36, 1e-35, |size| deviation(size, "hard"));
+        random.record(3e-50, 1e-50, |size| deviation(size, "too large"));
+        assert_eq!((shown(&random), random.failures), (("too large".into(), 1e-50), 1));
     }
 
     /// A claim with bound 3, checked at deviations of these sizes, named by their positions.

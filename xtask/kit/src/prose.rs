@@ -161,6 +161,13 @@ fn held(project: &Project, formulas: &Formulas<'_>, numeral: &Numeral) -> Result
     match origin {
         Origin::Given => Ok(()),
         Origin::Test(test) => in_test(project, test, written),
+        Origin::Sentence(test) => {
+            let body = body(project, test)?;
+            // Comments may be broken into lines.
+            let lines = body.lines().map(|line| line.trim().trim_start_matches('/').trim());
+            let is_quoted = lines.collect::<Vec<_>>().join(" ").contains(written.as_str());
+            if is_quoted { Ok(()) } else { Err(format!("`{test}` does not quote \"{written}\"")) }
+        }
         Origin::Value(expression, about) => {
             let (of, setting) = formulas.setting(about, None)?;
             let claims = Claims::expression(expression, &setting).map_err(|error| error.to_string())?;
@@ -171,8 +178,17 @@ fn held(project: &Project, formulas: &Formulas<'_>, numeral: &Numeral) -> Result
     }
 }
 
-/// Whether a test or a constant with this name contains the number: `file::name`, or `name` in any file.
+/// Whether a test or a constant contains the number.
 fn in_test(project: &Project, test: &str, written: &str) -> Result<(), String> {
+    let body = body(project, test)?;
+    let is_part = |c: char| c.is_ascii_digit() || c == '.';
+    let value = written.parse::<f64>().ok();
+    let has = body.split(|c| !is_part(c)).any(|number| value.is_some() && number.parse().ok() == value);
+    if has { Ok(()) } else { Err(format!("`{test}` has no {written} in it")) }
+}
+
+/// The text of a test or a constant with this name: `file::name`, or `name` in any file.
+fn body(project: &Project, test: &str) -> Result<String, String> {
     let (file, name) = test.split_once("::").map_or((None, test), |(file, name)| (Some(file), name));
     let mut texts = Vec::new();
     collect(&project.root().join("tests"), file, &mut texts);
@@ -180,11 +196,7 @@ fn in_test(project: &Project, test: &str, written: &str) -> Result<(), String> {
     let is_constant = name.chars().all(|c| c.is_ascii_uppercase() || c == '_');
     let (head, end) = if is_constant { (format!("const {name}:"), ";") } else { (format!("fn {name}("), "\n}") };
     let body = texts.iter().find_map(|text| Some(text.split_once(&head)?.1.split(end).next().unwrap_or_default()));
-    let Some(body) = body else { return Err(format!("there is no test or constant `{test}`")) };
-    let is_part = |c: char| c.is_ascii_digit() || c == '.';
-    let value = written.parse::<f64>().ok();
-    let has = body.split(|c| !is_part(c)).any(|number| value.is_some() && number.parse().ok() == value);
-    if has { Ok(()) } else { Err(format!("`{test}` has no {written} in it")) }
+    body.map(String::from).ok_or_else(|| format!("there is no test or constant `{test}`"))
 }
 
 /// The Rust files below a folder, or those with one name.
@@ -291,17 +303,25 @@ mod tests {
         );
         let text = "# One\n\n{{#equation slot.contact_force}}\n\n$$\nF_C^2 = f_2^2 + f_3^2\n$$\n\n\
                     {{#presentation it is so}}\n\n$$\na = b\n$$\n\n{{#equation slot.contact_force}}\n\n$$\nF_C = f_2\n$$\n\n\
-                    It is {{2.5 = 5/2}} and {{2.6 = 5/2}}.\n";
+                    It is {{2.5 = 5/2}} and {{2.6 = 5/2}}. It {{\"does not depend on x\" in a::shown}},\n\
+                    {{\"depends only on y\" in a::shown}}, and it does not depend on z.\n";
         crate::files::write(&root.path().join("book/src/one.md"), text).unwrap();
+        let test = "fn shown() {\n    // It does not\n    // depend on x.\n}\n";
+        crate::files::write(&root.path().join("tests/a.rs"), test).unwrap();
         let (off, counts) = check(&project()).unwrap();
         let chapter: Vec<_> = off.iter().filter(|fault| fault.file == "book/src/one.md").collect();
-        assert_eq!((off.len(), chapter.len()), (faults.len() + 2, 2), "{off:?}");
-        assert!(chapter[0].line == 17 && chapter[0].message.contains("differ"), "{chapter:?}");
-        assert_eq!((chapter[1].line, chapter[1].message.as_str()), (21, "2.6 is not 2.5, which `5/2` is"));
+        assert_eq!((off.len(), chapter.len()), (faults.len() + 4, 4), "{off:?}");
+        assert!(
+            chapter[0].line == 22 && chapter[0].message.starts_with("no test shows this claim (`not depend on`)"),
+            "{chapter:?}"
+        );
+        assert!(chapter[1].line == 17 && chapter[1].message.contains("differ"), "{chapter:?}");
+        assert_eq!((chapter[2].line, chapter[2].message.as_str()), (21, "2.6 is not 2.5, which `5/2` is"));
+        assert_eq!(chapter[3].message, "`a::shown` does not quote \"depends only on y\"");
         assert!(counts.starts_with(&format!("2 equations, {entries}, 1 for presentation, 1 in words, ")), "{counts}");
         let compared =
             counts.split(", ").nth(4).and_then(|part| part.strip_suffix(" comparisons")?.parse::<usize>().ok());
-        assert!(compared > Some(comparisons + 2 * SAMPLES) && counts.ends_with(" comparisons, 2 numbers"), "{counts}");
+        assert!(compared > Some(comparisons + 2 * SAMPLES) && counts.ends_with(" comparisons, 4 numbers"), "{counts}");
     }
 
     #[test]

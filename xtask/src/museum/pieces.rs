@@ -1,11 +1,12 @@
 //! The errors. Rows of a Jacobian are the outputs, columns the inputs, with components in the order of the entry.
 
-use super::piece::Piece;
+use super::piece::{Piece, Planted};
 use super::shipped::{Inputs, Mistake, Right, Rows, Shipped, changed, rows};
 use jointproof::connector::{slot, ujoint, universal};
 use jointproof::contact::{coulomb, slide_line};
 use jointproof::element;
-use jointproof::formula::Formula;
+use jointproof::formula::proof::Proved;
+use jointproof::formula::{Fields, Formula};
 use jointproof::number::scalar::{Scalar, norm};
 use jointproof::toolkit::verify::{Audit, Options, audit};
 
@@ -13,7 +14,18 @@ const OPTIONS: Options = Options { samples: 40, seed: 1 };
 
 fn piece<M: Mistake>([thread, there, here]: [&'static str; 3], claim: &'static str) -> Piece {
     let control: fn() -> Audit = || audit::<Shipped<Right<M::Of>>>(&OPTIONS);
-    Piece { thread, there, here, formula: M::Of::SPEC.id, claim, audit: || audit::<Shipped<M>>(&OPTIONS), control }
+    let formula = M::Of::SPEC.id;
+    let planted = if in_value::<M>() { Planted::Value } else { Planted::Jacobian };
+    Piece { thread, there, here, formula, claim, planted, audit: || audit::<Shipped<M>>(&OPTIONS), control }
+}
+
+/// Whether the value is wrong at a case of the formula, alone or where it comes with the Jacobian.
+fn in_value<M: Mistake>() -> bool {
+    let same = |a: Vec<f64>, b: Vec<f64>| a.iter().map(|x| x.to_bits()).eq(b.iter().map(|x| x.to_bits()));
+    <M::Of as Proved>::cases().iter().filter(|case| M::Of::validate(&case.inputs).is_ok()).any(|case| {
+        let right = || M::Of::eval(&case.inputs).components();
+        !same(M::value(&case.inputs), right()) || !same(M::value_with_jacobian(&case.inputs), right())
+    })
 }
 
 const CLOSED: &str = "closed form = automatic differentiation";
@@ -23,7 +35,7 @@ pub(super) fn all() -> Vec<Piece> {
     vec![
         piece::<LimitSign>(
             [
-                "GEOS, pull request 3439",
+                "GEOS, [pull request 3439](https://github.com/GEOS-DEV/GEOS/pull/3439)",
                 "Coulomb friction: the derivative of the limit by the normal traction had the wrong sign. One caller corrected the sign, another did not.",
                 "the derivative of the friction force by the normal force has the wrong sign.",
             ],
@@ -31,7 +43,7 @@ pub(super) fn all() -> Vec<Piece> {
         ),
         piece::<NearBranch>(
             [
-                "ipc-toolkit, pull requests 238 and 239; polyfem, pull request 501",
+                "ipc-toolkit, pull requests [238](https://github.com/ipc-sim/ipc-toolkit/pull/238) and [239](https://github.com/ipc-sim/ipc-toolkit/pull/239); polyfem, [pull request 501](https://github.com/polyfem/polyfem/pull/501)",
                 "A derivative was wrong near a branch that the test, at random points, never reached.",
                 "below a length of a millionth the derivative is that of a smoothed length.",
             ],
@@ -39,7 +51,7 @@ pub(super) fn all() -> Vec<Piece> {
         ),
         piece::<DistanceFromOrigin>(
             [
-                "newton, issue 3866 and pull request 3868",
+                "newton, [issue 3866](https://github.com/newton-physics/newton/issues/3866) and [pull request 3868](https://github.com/newton-physics/newton/pull/3868)",
                 "The Jacobian was wrong by the distance from the origin.",
                 "the lever arm of the moment is the position of b instead of the vector from a to b.",
             ],
@@ -47,7 +59,7 @@ pub(super) fn all() -> Vec<Piece> {
         ),
         piece::<NormalDerivative>(
             [
-                "moose, issue 33378 and pull request 33390",
+                "moose, [issue 33378](https://github.com/idaholab/moose/issues/33378) and [pull request 33390](https://github.com/idaholab/moose/pull/33390)",
                 "The derivatives of the nodal normal were missing.",
                 "the normal of the slide line is treated as constant.",
             ],
@@ -55,7 +67,7 @@ pub(super) fn all() -> Vec<Piece> {
         ),
         piece::<MissingMinus>(
             [
-                "goma, pull request 188",
+                "goma, [pull request 188](https://github.com/goma/goma/pull/188)",
                 "A minus sign was missing; all 106 tests passed before and after the correction.",
                 "the derivative of the rotation by its initial value has the wrong sign.",
             ],
@@ -63,7 +75,7 @@ pub(super) fn all() -> Vec<Piece> {
         ),
         piece::<CopiedStiffness>(
             [
-                "mastodon, issue 333",
+                "mastodon, [issue 333](https://github.com/idaholab/mastodon/issues/333)",
                 "A stiffness matrix was copied wrongly from another program.",
                 "the stiffness by the spin of a is copied from a program that stores matrices by columns.",
             ],
@@ -71,7 +83,7 @@ pub(super) fn all() -> Vec<Piece> {
         ),
         piece::<TwoResiduals>(
             [
-                "tacs, pull request 74",
+                "tacs, [pull request 74](https://github.com/smdogroup/tacs/pull/74)",
                 "The residual computed together with the Jacobian differs from the residual computed alone.",
                 "the value computed with the Jacobian omits the internal contact force.",
             ],
@@ -79,7 +91,7 @@ pub(super) fn all() -> Vec<Piece> {
         ),
         piece::<OtherConvention>(
             [
-                "Marmot, pull request 40",
+                "Marmot, [pull request 40](https://github.com/MAteRialMOdelingToolbox/Marmot/pull/40)",
                 "The stiffness was the derivative of the force in one place and its negative in another.",
                 "the Jacobian is that of the negative forces.",
             ],
@@ -87,7 +99,7 @@ pub(super) fn all() -> Vec<Piece> {
         ),
         piece::<OneColumn>(
             [
-                "CADET, pull request 358",
+                "CADET, [pull request 358](https://github.com/cadet/CADET-Core/pull/358)",
                 "The test of the Jacobian compared a column with itself.",
                 "a column is that of another input, which such a test does not detect.",
             ],
@@ -95,7 +107,7 @@ pub(super) fn all() -> Vec<Piece> {
         ),
         piece::<ChainRule>(
             [
-                "kaolin, pull request 983",
+                "kaolin, [pull request 983](https://github.com/NVIDIAGameWorks/kaolin/pull/983)",
                 "A term of the chain rule through the friction was missing.",
                 "the derivative of the yield function omits the dependence of the normal force on the transverse forces.",
             ],
@@ -103,7 +115,7 @@ pub(super) fn all() -> Vec<Piece> {
         ),
         piece::<Transposed>(
             [
-                "moose, issue 22225",
+                "moose, [issue 22225](https://github.com/idaholab/moose/issues/22225)",
                 "A tangent was transposed and wrong by up to 80 %, while the Jacobian debugger reported no error.",
                 "the Jacobian is transposed.",
             ],

@@ -10,6 +10,8 @@ mod document;
 mod documents;
 mod errata;
 mod erratum;
+#[cfg(test)]
+mod quotations;
 mod statement;
 #[cfg(test)]
 mod tests;

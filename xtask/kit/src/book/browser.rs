@@ -34,6 +34,9 @@ pub(super) const PHONE: Screen = Screen { width: 360, height: 740, mobile: true 
 /// A desktop screen.
 pub(super) const DESK: Screen = Screen { width: 1280, height: 900, mobile: false };
 
+/// A sheet of A4 between margins of 10 mm, at 96 pixels an inch.
+pub(super) const SHEET: Screen = Screen { width: 718, height: 1047, mobile: false };
+
 /// A browser with one page, with the width of a small phone.
 pub(super) struct Browser {
     child: Child,
@@ -115,7 +118,13 @@ impl Browser {
         let feature = |name: &str, value: &str| json!({ "name": name, "value": value });
         let scheme = feature("prefers-color-scheme", if dark { "dark" } else { "light" });
         let motion = feature("prefers-reduced-motion", if still { "reduce" } else { "no-preference" });
-        self.call("Emulation.setEmulatedMedia", &json!({ "features": [scheme, motion] })).map(drop)
+        self.call("Emulation.setEmulatedMedia", &json!({ "media": "", "features": [scheme, motion] })).map(drop)
+    }
+
+    /// Shows the page as it is printed, until preferences are set again.
+    pub(super) fn print(&mut self) -> Result<()> {
+        self.screen(SHEET)?;
+        self.call("Emulation.setEmulatedMedia", &json!({ "media": "print" })).map(drop)
     }
 
     /// A screenshot, as PNG.

@@ -81,6 +81,8 @@ fn render(
     later: &Rc<Deferred>,
 ) -> Result<(String, usize)> {
     let mut config = Config::from_disk(book.join("book.toml"))?;
+    // A workflow says where it publishes: MDBOOK_OUTPUT__HTML__SITE_URL.
+    config.update_from_env()?;
     config.build.build_dir = out.to_path_buf();
     config.build.create_missing = false;
     config.build.use_default_preprocessors = false;

@@ -39,6 +39,17 @@ pub(crate) struct Cited {
     pub(crate) authors: String,
     /// Its version.
     pub(crate) version: String,
+    /// The year of its release; empty if that is not known.
+    pub(crate) year: String,
+    /// Where all versions are published, ending in a slash; empty if that is nowhere.
+    pub(crate) site: String,
+}
+
+impl Cited {
+    /// The address of a place in this version of the book, which stays; a relative path if the book is published nowhere.
+    pub(crate) fn address(&self, place: &str) -> String {
+        if self.site.is_empty() { place.to_owned() } else { format!("{}v{}/{place}", self.site, self.version) }
+    }
 }
 
 /// One Rust file of the repository.

@@ -11,17 +11,18 @@ use super::speed;
 use crate::extension::Fact;
 use jointproof::toolkit::verify::{Audit, Claim, Examination};
 use judge::examination;
+use std::collections::BTreeSet;
 
 /// The entry as one line of HTML.
 pub(crate) fn entry(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
     let id = escape(&entry.id);
     let title = pages.text(at, &entry.title);
     let card = [
-        pages.block_math(at, &entry.latex),
+        pages.block_math(at, &entry.latex, Some(&entry.id)),
         given(pages, at, entry),
         glance::worked(pages, at, entry),
-        glance::view(pages, at, "Variation", &entry.variation, true),
-        glance::view(pages, at, "Expanded equation", &entry.closed, false),
+        glance::view(pages, at, entry, "Variation", true),
+        glance::view(pages, at, entry, "Expanded equation", false),
         symbols(pages, at, entry),
         format!("<dl class=\"facts\">{}</dl>", facts(pages, at, entry)),
         calculator::folded(entry),
@@ -45,38 +46,97 @@ fn given(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
     }
 }
 
-/// Inputs and outputs in one table, so that their columns line up.
+/// Inputs and outputs in one table, so that their columns line up; what is the same of all is a sentence and no column.
 fn symbols(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
+    let columns = Columns::of(entry);
+    let names = [("Symbol", true), ("Name", true), ("Shape", columns.shape), ("Unit", columns.unit)];
+    let names = names.into_iter().chain([("Meaning", true), ("Allowed", columns.allowed)]);
+    let names: Vec<_> = names.filter(|(_, is_shown)| *is_shown).collect();
+    let count = names.len();
+    let head = each(names, |(name, _)| format!("<th>{name}</th>"));
     let rows = |caption: &str, symbols: &[Symbol]| {
         if symbols.is_empty() {
             return String::new();
         }
-        let rows = each(symbols, |symbol| symbol_row(pages, at, symbol));
-        format!("<tbody><tr class=\"group\"><th colspan=\"6\" scope=\"rowgroup\">{caption}</th></tr>{rows}</tbody>")
+        let rows = each(symbols, |symbol| symbol_row(pages, at, symbol, &columns));
+        format!(
+            "<tbody><tr class=\"group\"><th colspan=\"{count}\" scope=\"rowgroup\">{caption}</th></tr>{rows}</tbody>"
+        )
     };
     format!(
-        "<div class=\"table-wrapper\" tabindex=\"0\"><table class=\"symbols\"><thead><tr><th>Symbol</th><th>Name</th>\
-         <th>Shape</th><th>Unit</th><th>Meaning</th><th>Allowed</th></tr></thead>{}{}</table></div>",
+        "<div class=\"table-wrapper\" tabindex=\"0\"><table class=\"symbols\"><thead><tr>{head}</tr></thead>{}{}</table></div>{}",
         rows("Inputs", &entry.inputs),
-        rows("Outputs", &entry.outputs)
+        rows("Outputs", &entry.outputs),
+        columns.sentence(entry)
     )
 }
 
-/// One symbol.
-fn symbol_row(pages: &Pages<'_>, at: &Place, symbol: &Symbol) -> String {
-    let allowed = match &*symbol.allowed {
-        "" => "any finite",
-        allowed => allowed,
+/// The columns of the table of symbols that differ from row to row.
+struct Columns {
+    shape: bool,
+    unit: bool,
+    allowed: bool,
+}
+
+impl Columns {
+    fn of(entry: &Entry) -> Self {
+        let differs = |of: fn(&Symbol) -> &str| {
+            let all: BTreeSet<&str> = entry.inputs.iter().chain(&entry.outputs).map(of).collect();
+            all.len() > 1
+        };
+        Self { shape: differs(|symbol| &symbol.shape), unit: differs(|symbol| &symbol.unit), allowed: differs(allowed) }
+    }
+
+    /// `Every symbol is a scalar in FL; any finite number is allowed.`
+    fn sentence(&self, entry: &Entry) -> String {
+        let Some(first) = entry.inputs.first().or(entry.outputs.first()) else { return String::new() };
+        let mut parts = Vec::new();
+        if !self.shape {
+            parts.push(format!("is a {}", escape(&first.shape)));
+        }
+        if !self.unit {
+            parts.push(format!("has unit {}", escape(&first.unit)));
+        }
+        let own = match parts.as_slice() {
+            [] => String::new(),
+            parts => format!("Every symbol {}. ", parts.join(" and ")),
+        };
+        let rest = if self.allowed { "Where nothing is said, any" } else { "Any" };
+        let is_said = !self.allowed && allowed(first) != FINITE;
+        let allowed = if is_said {
+            format!("Allowed is {}.", escape(allowed(first)))
+        } else {
+            format!("{rest} finite number is allowed.")
+        };
+        format!("<p class=\"same\">{own}{allowed}</p>")
+    }
+}
+
+/// What is allowed where nothing else is said.
+const FINITE: &str = "a finite number";
+
+fn allowed(symbol: &Symbol) -> &str {
+    if symbol.allowed.is_empty() { FINITE } else { &symbol.allowed }
+}
+
+/// One symbol; its attributes are read by the calculator.
+fn symbol_row(pages: &Pages<'_>, at: &Place, symbol: &Symbol, columns: &Columns) -> String {
+    let allowed = allowed(symbol);
+    let cell = |class: &str, text: String, is_shown: bool| {
+        if is_shown { format!("<td class=\"{class}\">{text}</td>") } else { String::new() }
     };
+    let said = if allowed == FINITE { String::new() } else { pages.text(at, allowed) };
     format!(
-        "<tr><td>{}</td><td><code>{}</code></td><td>{}</td><td>{}</td><td class=\"wide\">{}</td>\
-         <td class=\"allowed\">{}</td></tr>",
-        pages.inline_math(at, &symbol.latex),
-        escape(&symbol.name),
+        "<tr data-shape=\"{}\" data-unit=\"{}\" data-allowed=\"{}\"><td>{}</td><td><code>{}</code></td>{}{}<td class=\"wide\">{}</td>{}</tr>",
         escape(&symbol.shape),
         escape(&symbol.unit),
+        escape(allowed),
+        pages.inline_math(at, &symbol.latex),
+        escape(&symbol.name),
+        cell("shape", escape(&symbol.shape), columns.shape),
+        cell("unit", escape(&symbol.unit), columns.unit),
         pages.text(at, &symbol.meaning),
-        pages.text(at, allowed)
+        cell("allowed", said, columns.allowed)
     )
 }
 

@@ -127,10 +127,27 @@ fn entry(project: &Project, formula: &dyn AnyFormula, index: &Index<'_>, evidenc
 
 /// The data for citing entries: the authors of the book, and the first version in the manifest.
 fn cited(project: &Project) -> Option<Cited> {
-    let config = Config::from_disk(project.root().join("book/book.toml")).ok()?;
+    let mut config = Config::from_disk(project.root().join("book/book.toml")).ok()?;
+    config.update_from_env().ok()?;
     let manifest = std::fs::read_to_string(project.root().join("Cargo.toml")).ok()?;
     let version = manifest.lines().find_map(|line| line.strip_prefix("version = \"")?.strip_suffix('"'))?;
-    Some(Cited { book: project.name().into(), authors: config.book.authors.join(" and "), version: version.into() })
+    let citation = std::fs::read_to_string(project.root().join("CITATION.cff")).unwrap_or_default();
+    let released = citation.lines().find_map(|line| line.strip_prefix("date-released: "));
+    let year = released.and_then(|date| date.get(..4)).unwrap_or_default();
+    Some(Cited {
+        book: project.name().into(),
+        authors: config.book.authors.join(" and "),
+        version: version.into(),
+        year: year.into(),
+        site: site(&config),
+    })
+}
+
+/// Where the book is published, with all its versions: the `site-url` of its configuration, if that is a URL.
+fn site(config: &Config) -> String {
+    let site: Option<String> = config.get("output.html.site-url").ok().flatten();
+    let site = site.filter(|site| site.starts_with("http")).unwrap_or_default();
+    if site.is_empty() || site.ends_with('/') { site } else { site + "/" }
 }
 
 /// The formulas that symbols are taken from, each once.

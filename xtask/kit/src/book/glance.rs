@@ -32,14 +32,18 @@ pub(crate) fn worked(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
     )
 }
 
-/// An equation derived from the one above and executed like it; the variation is unfolded if it is short.
-pub(crate) fn view(pages: &Pages<'_>, at: &Place, name: &str, lines: &[String], may_be_open: bool) -> String {
+/// An equation derived from the one above and executed like it: the variation, which is unfolded if it is short, or else
+/// the closed form.
+pub(crate) fn view(pages: &Pages<'_>, at: &Place, entry: &Entry, name: &str, may_be_open: bool) -> String {
+    let lines = if may_be_open { &entry.variation } else { &entry.closed };
     if lines.is_empty() {
         return String::new();
     }
     let open = if may_be_open && lines.concat().len() <= SHORT { " open" } else { "" };
     let lines: Vec<_> = lines.iter().map(|line| line.replacen(" = ", " &= ", 1)).collect();
-    let math = pages.block_math(at, &format!(r"\begin{{aligned}} {} \end{{aligned}}", lines.join(r" \\ ")));
+    let anchor = format!("{}-{}", entry.id, name.split(' ').next().unwrap_or_default().to_lowercase());
+    let math =
+        pages.block_math(at, &format!(r"\begin{{aligned}} {} \end{{aligned}}", lines.join(r" \\ ")), Some(&anchor));
     format!("<details class=\"view\"{open}><summary>{name}</summary>{math}</details>")
 }
 
@@ -86,22 +90,31 @@ fn with_and(words: &[String]) -> String {
 pub(crate) fn cite(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
     let Some(cited) = &pages.content.cited else { return String::new() };
     let (id, book) = (&entry.id, &cited.book);
-    let link = super::permalinks::page(id);
+    let page = super::permalinks::page(id);
+    let address = cited.address(&page);
     let title = entry.title.replace('$', "");
-    let digest = entry.digest.as_ref().map_or(String::new(), |digest| format!(". Golden file SHA-256 {digest}"));
-    let words = format!("{book} {}, formula {id} ({title}){digest}", cited.version);
-    let bib = format!(
-        "@misc{{{id},\n  title = {{{title} ({id})}},\n  author = {{{{{}}}}},\n  howpublished = {{{book} {}, {link}}},\n  note = {{{}}}\n}}",
-        cited.authors,
-        cited.version,
-        digest.trim_start_matches(". ")
-    );
+    let digest = entry.digest.as_ref().map_or(String::new(), |digest| format!("Golden file SHA-256 {digest}"));
+    let year = if cited.year.is_empty() { String::new() } else { format!(" ({})", cited.year) };
+    let words = format!("{}: {title}. Formula {id} of {book} {}{year}. {digest}", cited.authors, cited.version);
+    // An author in two pairs of braces is an organisation.
+    let fields = [
+        ("title", format!("{title} ({id})")),
+        ("author", format!("{{{}}}", cited.authors)),
+        ("year", cited.year.clone()),
+        ("howpublished", format!("{book} {}", cited.version)),
+        ("url", address.clone()),
+        ("note", digest),
+    ];
+    let fields = fields.iter().filter(|(_, value)| !value.is_empty());
+    let bib =
+        fields.fold(format!("@misc{{{id}"), |bib, (name, value)| format!("{bib},\n  {name} = {{{value}}}")) + "\n}";
+    // The page itself is beside the others here; its address is where all versions are.
     format!(
         "<details class=\"cite\"><summary>Cite this entry</summary><p>{}. Permanent address: \
          <a href=\"{}\"><code>{}</code></a></p><pre><code class=\"nohighlight\">{}</code></pre></details>",
-        escape(&words),
-        escape(&relative(&at.page, &link)),
-        escape(&link),
+        escape(words.trim_end_matches(". ")),
+        escape(&relative(&at.page, &page)),
+        escape(&address),
         escape(&bib)
     )
 }
@@ -137,7 +150,7 @@ pub(crate) fn summary(entry: &Entry) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::book::content::Content;
+    use crate::book::content::{Cited, Content};
     use crate::book::deferred::Deferred;
     use crate::extension::Extras;
 
@@ -149,7 +162,11 @@ mod tests {
     fn a_derivative_is_open_where_it_is_short_and_may_be() {
         let (content, later) = (Content::default(), Deferred::default());
         let pages = Pages::new(&content, &later);
-        let shown = |lines: &[String], may_be_open| later.fill(&view(&pages, &place(), "V", lines, may_be_open));
+        let shown = |lines: &[String], may_be_open| {
+            let (variation, closed) = if may_be_open { (lines.into(), vec![]) } else { (vec![], lines.into()) };
+            let entry = Entry { id: "t.a".into(), variation, closed, ..Entry::default() };
+            later.fill(&view(&pages, &place(), &entry, "V", may_be_open))
+        };
         let (short, long) = (vec!["a = b = c".to_owned()], vec!["a = b".to_owned(); 100]);
         assert_eq!(shown(&[], true), "");
         assert!(shown(&short, true).starts_with("<details class=\"view\" open><summary>V</summary>"));
@@ -157,6 +174,33 @@ mod tests {
         assert!(shown(&long, true).starts_with("<details class=\"view\"><summary>"));
         // The equals signs are aligned, one per line.
         assert!(shown(&short, true).contains(r"\begin&#123;aligned} a &amp;= b = c \end&#123;aligned}"));
+    }
+
+    #[test]
+    fn it_is_cited_with_its_year_at_an_address_that_is_a_url() {
+        let cited = |site: &str, year: &str| {
+            let cited = Cited {
+                book: "joints".into(),
+                authors: "A. Smith".into(),
+                version: "1.2.0".into(),
+                year: year.into(),
+                site: site.into(),
+            };
+            let content = Content { cited: Some(cited), ..Content::default() };
+            let later = Deferred::default();
+            let entry = Entry { id: "t.a".into(), title: "Force $F$".into(), ..Entry::default() };
+            cite(&Pages::new(&content, &later), &place(), &entry).replace("&#123;", "{").replace("&#10;", "\n")
+        };
+        let html = cited("https://joints.test/", "2026");
+        assert!(
+            html.contains("<a href=\"id/t.a.html\"><code>https://joints.test/v1.2.0/id/t.a.html</code></a>"),
+            "{html}"
+        );
+        let bib = "@misc{t.a,\n  title = {Force F (t.a)},\n  author = {{A. Smith}},\n  year = {2026},\n  howpublished = {joints 1.2.0},\n  \
+                   url = {https://joints.test/v1.2.0/id/t.a.html}\n}";
+        assert!(html.contains(bib) && html.contains("Formula t.a of joints 1.2.0 (2026)"), "{html}");
+        let html = cited("", "");
+        assert!(html.contains("url = {id/t.a.html}") && !html.contains("year") && !html.contains("()"), "{html}");
     }
 
     #[test]

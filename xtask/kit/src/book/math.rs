@@ -2,6 +2,7 @@
 
 use math_core::{LatexToMathML, MathCoreConfig, MathDisplay};
 
+use super::flow;
 use super::html::escape;
 
 /// Why a formula could not be converted: the reason, and the position in the formula.
@@ -37,13 +38,13 @@ impl Math {
         self.convert(latex, MathDisplay::Inline)
     }
 
-    /// A formula on its own line, in a box that scrolls when the page is narrower.
+    /// A formula on its own line, broken where its column is narrower, in a box that scrolls where it cannot be broken.
     ///
     /// # Errors
     /// As for [`Math::inline`].
     pub(crate) fn block(&self, latex: &str) -> Result<String, MathError> {
         let mathml = self.convert(latex, MathDisplay::Block)?;
-        Ok(format!("<span class=\"math-block\" tabindex=\"0\">{mathml}</span>"))
+        Ok(flow::flow(&mathml, &escape(latex.trim())))
     }
 
     /// The `MathML`, with the LaTeX as its alternative text.
@@ -93,7 +94,7 @@ mod tests {
         let math = Math::new();
         for latex in USED {
             let mathml = math.block(latex).unwrap_or_else(|e| panic!("{e}"));
-            assert!(mathml.contains("<math alttext=") && !mathml.contains('\n'), "{mathml}");
+            assert!(mathml.contains("<math ") && !mathml.contains('\n'), "{mathml}");
         }
     }
 

@@ -10,6 +10,7 @@ mod deferred;
 mod entry;
 mod fault;
 mod figure;
+mod flow;
 mod gather;
 mod glance;
 mod html;

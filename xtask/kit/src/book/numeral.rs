@@ -1,4 +1,4 @@
-//! Numbers in chapters that state their origin: `{{3.7 = \sqrt{13.7}}}`.
+//! Numbers and sentences in chapters that state their origin: `{{3.7 = \sqrt{13.7}}}`, `{{"it does not depend on x" in a_test}}`.
 
 use super::markdown::{balanced, code, texts};
 use std::ops::Range;
@@ -19,6 +19,8 @@ pub(crate) enum Origin {
     Value(String, String),
     /// `{{3.7 in a_test}}`: it appears in a test that computes it, or in a constant.
     Test(String),
+    /// `{{"it does not depend on x" in a_test}}`: the test that shows this quotes these words.
+    Sentence(String),
     /// `{{given 3.7}}`: the text itself defines it.
     Given,
 }
@@ -47,6 +49,30 @@ pub(crate) fn bare(chapter: &str) -> Vec<(usize, String)> {
     }
     all
 }
+
+/// Claims of independence, equality or symmetry that no test shows.
+pub(crate) fn unshown(chapter: &str) -> Vec<(usize, &'static str)> {
+    let mut blank = chapter.to_owned();
+    for (range, _) in found(chapter) {
+        blank.replace_range(range.clone(), &" ".repeat(range.len()));
+    }
+    let claims = texts(&blank).into_iter().flat_map(|range| {
+        let text = &blank[range.clone()];
+        CLAIMS.iter().flat_map(move |claim| text.match_indices(claim).map(move |(at, _)| (range.start + at, *claim)))
+    });
+    claims.map(|(at, claim)| (line(&blank, at), claim)).collect()
+}
+
+/// Words of such claims.
+const CLAIMS: [&str; 7] = [
+    "not depend on",
+    "depend only on",
+    "depends only on",
+    "there is no difference",
+    "is symmetric",
+    "are symmetric",
+    "is independent of",
+];
 
 /// Digits with a point between them, and digits before a percent sign.
 fn decimals(text: &str) -> impl Iterator<Item = (usize, &str)> {
@@ -85,6 +111,9 @@ fn numeral(inside: &str, line: usize) -> Option<Numeral> {
     let of = |written: &str, origin| Numeral { written: written.trim().into(), origin, line };
     if let Some(written) = inside.strip_prefix("given ") {
         return Some(of(written, Origin::Given));
+    }
+    if let Some((words, test)) = inside.strip_prefix('"').and_then(|inside| inside.split_once("\" in ")) {
+        return Some(of(words, Origin::Sentence(test.trim().into())));
     }
     if !inside.starts_with(|c: char| c.is_ascii_digit()) {
         return None;

@@ -32,6 +32,10 @@ pub(crate) struct Pages<'a> {
     pub(crate) places: BTreeMap<String, Place>,
     /// The page with the evidence of all formulas.
     pub(crate) evidence: Option<String>,
+    /// The number of each chapter that has one, by its page: `2.1`.
+    pub(crate) chapters: BTreeMap<String, String>,
+    /// How many displayed equations each page has so far.
+    equations: RefCell<BTreeMap<String, usize>>,
     /// The faults so far.
     pub(crate) faults: RefCell<Faults>,
 }
@@ -39,8 +43,9 @@ pub(crate) struct Pages<'a> {
 impl<'a> Pages<'a> {
     /// Without entry locations and faults.
     pub(crate) fn new(content: &'a Content, later: &'a Deferred) -> Self {
-        let (places, faults) = (BTreeMap::new(), RefCell::default());
-        Self { content, math: Math::new(), later, places, evidence: None, faults }
+        let (places, chapters) = (BTreeMap::new(), BTreeMap::new());
+        let (equations, faults) = (RefCell::default(), RefCell::default());
+        Self { content, math: Math::new(), later, places, evidence: None, chapters, equations, faults }
     }
 
     /// Records a fault.
@@ -70,9 +75,30 @@ impl<'a> Pages<'a> {
         self.later.keep(&mathml, &words)
     }
 
-    /// A formula on its own line; a fault if it cannot be converted.
-    pub(crate) fn block_math(&self, at: &Place, latex: &str) -> String {
-        self.later.keep(&self.or_fault(at, self.math.block(latex)), "")
+    /// A formula on its own line with its number, which is a link to itself; a fault if it cannot be converted. The anchor is
+    /// `eq-` and `name`, or the page and the position on it: unlike the number it stays when chapters move.
+    pub(crate) fn block_math(&self, at: &Place, latex: &str, name: Option<&str>) -> String {
+        let count = {
+            let mut equations = self.equations.borrow_mut();
+            let count = equations.entry(at.page.clone()).or_default();
+            *count += 1;
+            *count
+        };
+        let stem = at.page.trim_end_matches(".html").replace('/', "-");
+        let anchor = name.map_or_else(|| format!("eq-{stem}-{count}"), |name| format!("eq-{name}"));
+        let number = match self.chapters.get(&at.page) {
+            Some(chapter) => format!("{chapter}.{count}"),
+            None => count.to_string(),
+        };
+        let math = self.or_fault(at, self.math.block(latex));
+        let address =
+            self.content.cited.as_ref().map_or(String::new(), |cited| cited.address(&format!("{}#{anchor}", at.page)));
+        let html = format!(
+            "<span class=\"equation\" id=\"{0}\">{math}<a class=\"number\" href=\"#{0}\" title=\"{1}\" aria-label=\"Equation {number}\">({number})</a></span>",
+            escape(&anchor),
+            escape(&address)
+        );
+        self.later.keep(&html, "")
     }
 
     /// *Text* as HTML: `$…$` is mathematics, `` `…` `` is code, `[…](…)` is a link, everything else is plain text.
@@ -174,6 +200,23 @@ mod tests {
             "{mathematics}"
         );
         assert!(pages.faults.borrow().0.is_empty());
+    }
+
+    #[test]
+    fn displays_are_numbered_by_chapter_and_have_anchors_that_stay() {
+        let (content, later) = (Content::default(), Deferred::default());
+        let mut pages = Pages::new(&content, &later);
+        pages.chapters.insert("b.html".into(), "2.1".into());
+        let shown = |page: &str, name| {
+            let html = later.fill(&pages.block_math(&place(page), "x", name));
+            let anchor = html.split_once(" id=\"").unwrap().1.split_once('"').unwrap().0.to_owned();
+            let number = html.rsplit_once("\">").unwrap().1.split_once('<').unwrap().0.to_owned();
+            assert!(html.contains(&format!("href=\"#{anchor}\"")), "{html}");
+            [anchor, number]
+        };
+        assert_eq!(shown("b.html", None), ["eq-b-1", "(2.1.1)"]);
+        assert_eq!(shown("a.html", None), ["eq-a-1", "(1)"]);
+        assert_eq!(shown("b.html", Some("t.one")), ["eq-t.one", "(2.1.2)"]);
     }
 
     #[test]

@@ -38,6 +38,9 @@ impl Preprocessor for Formulary {
             let (shown, _) = numeral::shown(&chapter.content);
             chapter.content = with_texts(&self.content, &shown);
             let found = read(chapter, &pages, &mut entries);
+            if let Some(number) = &chapter.number {
+                pages.chapters.insert(page(chapter), number.to_string().trim_end_matches('.').to_owned());
+            }
             if found.iter().any(is_evidence) {
                 evidence = Some(page(chapter));
             }
@@ -80,7 +83,7 @@ impl Formulary {
         match piece {
             Piece::InlineMath(latex) => Some(pages.inline_math(at, latex)),
             Piece::DisplayMath(latex) => {
-                Some(pages.block_math(at, latex) + &mark.map(|mark| note_of(pages, at, mark)).unwrap_or_default())
+                Some(pages.block_math(at, latex, None) + &mark.map(|mark| note_of(pages, at, mark)).unwrap_or_default())
             }
             Piece::Code(text) => pages.places.contains_key(text).then(|| pages.link(&at.page, text)),
             Piece::Directive { name, argument } => Some(format!("\n{}\n", self.directive(pages, at, name, argument))),

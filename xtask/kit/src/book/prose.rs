@@ -72,6 +72,13 @@ pub(crate) fn read(file: &str, text: &str) -> Chapter {
             ),
         )
     }));
+    let unshown = numeral::unshown(text).into_iter();
+    faults.extend(unshown.map(|(line, claim)| {
+        fault(
+            line,
+            &format!("no test shows this claim (`{claim}`); name one that quotes it: `{{{{\"words\" in test}}}}`"),
+        )
+    }));
     Chapter { numerals, displays, faults }
 }
 

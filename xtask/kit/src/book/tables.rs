@@ -174,16 +174,28 @@ pub(crate) fn named(pages: &Pages<'_>, at: &Place, name: &str) -> String {
         return String::new();
     };
     each(named, |Table { anchor, title, head, rows }| {
-        let head: Vec<_> = head.iter().map(String::as_str).collect();
+        // A column that says the same in every row is a sentence.
+        let is_same = |k: &usize| {
+            let text = rows.first().and_then(|row| row.get(*k)).filter(|text| text.contains(' '));
+            rows.len() > 2 && text.is_some_and(|text| rows.iter().all(|row| row.get(*k) == Some(text)))
+        };
+        let (same, differ): (Vec<usize>, Vec<usize>) = (0..head.len()).partition(is_same);
+        let head_of = |k: &usize| head[*k].as_str();
+        let sentence = |k: &usize| {
+            format!("<p class=\"same\">{}: {}.</p>", escape(head_of(k)), pages.linked_text(at, &rows[0][*k]))
+        };
+        let after = each(&same, sentence);
         // A text of several words may use the available width; a name must not be broken.
         let class = |text: &String| if text.contains(' ') { "wide" } else { "" };
         let cell = |text: &String| (class(text), pages.linked_text(at, text));
-        let cells = |texts: &Vec<String>| row(&texts.iter().map(cell).collect::<Vec<_>>());
+        let cells =
+            |texts: &Vec<String>| row(&differ.iter().filter_map(|k| texts.get(*k)).map(cell).collect::<Vec<_>>());
+        let shown: Vec<_> = differ.iter().map(head_of).collect();
         let id = if anchor.is_empty() { String::new() } else { format!(" id=\"{}\"", escape(anchor)) };
         let title = if title.is_empty() { String::new() } else { format!("<p{id}>{}</p>", pages.text(at, title)) };
         // Empty tables are omitted.
-        let table = if rows.is_empty() { String::new() } else { table("index", &head, &each(rows, cells)) };
-        title + &table
+        let table = if rows.is_empty() { String::new() } else { table("index", &shown, &each(rows, cells)) };
+        title + &table + &after
     })
 }
 

@@ -85,7 +85,7 @@ fn a_good_book_has_anchors_mathematics_code_and_golden_files() {
     let page = page(root.path());
     for expected in [
         "<h3 id=\"t.first\"><a class=\"header\" href=\"#t.first\">",
-        "<math alttext=\"F_C = \\lvert f_2 \\rvert\" display=\"block\">",
+        "role=\"math\" aria-label=\"F_C = \\lvert f_2 \\rvert\"><span class=\"line\"><span class=\"left\"><math",
         "href=\"source/src/t.rs.html#L2\"",
         "unusual_word &lt; <i class=\"rn\">1</i>",
         "See <a href=\"#t.first\"><code>t.first</code></a> and <math alttext=\"x^2\">",

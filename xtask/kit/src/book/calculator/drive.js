@@ -61,6 +61,9 @@ async function faultsOnPhone() {
     const nameless = fields.filter((field) => !hasName(field)).map(({ outerHTML }) => `${outerHTML} has no name`);
     // What may be wider scrolls in a box of its own.
     const parts = [...document.querySelectorAll('.calculator form :not(:is(.table-wrapper, pre) *)')];
+    // Every number is in view, or to the side in a box that scrolls and says so.
+    const hidden = [...document.querySelectorAll('.calculator .answers, .calculator .answers *')].filter((box) => box.scrollHeight > box.clientHeight + 2 && getComputedStyle(box).overflowY !== 'visible');
+    nameless.push(...hidden.slice(0, 1).map((box) => `numbers are hidden below in ${box.className}`));
     const end = document.querySelector('main').getBoundingClientRect().right;
     const out = Math.ceil(Math.max(...parts.map((part) => part.getBoundingClientRect().right)) - end);
     return out > 0 ? [`a calculator sticks out by ${out} pixels`, ...nameless] : nameless;

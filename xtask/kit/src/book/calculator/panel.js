@@ -19,8 +19,8 @@ class Panel {
         Object.assign(this, { box, formula, runtime, cases, kinks, id: box.dataset.formula });
         const rows = box.closest('.entry').querySelectorAll('.symbols tbody tr:not(.group)');
         const described = [...formula.inputs, ...formula.outputs].map((field, k) => {
-            const text = (at) => rows[k].cells[at].textContent.trim();
-            return { ...field, unit: text(3), allowed: text(5), symbol: rows[k].cells[0] };
+            const { shape, unit, allowed } = rows[k].dataset;
+            return { ...field, shape, unit, allowed, symbol: rows[k].cells[0] };
         });
         this.inputs = described.slice(0, formula.inputs.length);
         this.outputs = described.slice(formula.inputs.length);
@@ -75,22 +75,28 @@ class Panel {
         return html('div', { class: 'inputs', role: 'group', 'aria-label': 'Inputs' }, ...rows);
     }
 
-    // Outputs, and the Jacobian with a row an input.
+    // Every output as a block, a matrix by its rows; then the Jacobian, a block for each output and input.
     answers() {
-        const cell = (at) => html('td', { class: 'number', 'data-at': at });
-        const units = this.outputs.flatMap((field) => Array(field.length).fill(field.unit));
-        const value = this.results.map((name, k) =>
-            html('tr', {}, html('th', { scope: 'row' }, html('code', {}, name)), cell(k), html('td', { class: 'unit' }, units[k])));
         const [m, n] = [this.results.length, this.names.length];
-        const head = this.results.map((name) => html('th', { scope: 'col' }, '∂', html('code', {}, name)));
-        const rows = this.names.map((name, k) =>
-            html('tr', {}, html('th', { scope: 'row' }, '/∂', html('code', {}, name)),
-                ...this.results.map((_, output) => cell(m + output * n + k))));
-        const table = (label, ...parts) =>
-            html('div', { class: 'table-wrapper', tabindex: 0, role: 'region', 'aria-label': label }, html('table', {}, ...parts));
-        const shown = html('div', { class: 'answers' }, table('Outputs', html('tbody', {}, ...value)));
-        if (this.formula.isClosed) {
-            shown.append(table('Jacobian', html('thead', {}, html('tr', {}, html('td', {}, 'Jacobian'), ...head)), html('tbody', {}, ...rows)));
+        const shown = html('div', { class: 'answers' });
+        const blocks = (label) => shown.appendChild(html('div', { class: 'blocks', role: 'group', 'aria-label': label }));
+        const outputs = blocks('Outputs');
+        const jacobian = this.formula.isClosed ? blocks('Jacobian') : undefined;
+        let row = 0;
+        for (const output of this.outputs) {
+            const width = output.shape.startsWith('mat') ? Math.sqrt(output.length) : output.length;
+            const first = row;
+            const at = (i, j) => first + i * width + j;
+            const name = [...copied(output.symbol), ' ', html('code', {}, output.name), ' ', html('span', { class: 'unit' }, output.unit)];
+            outputs.append(block(name, output.length / width, width, at, (k) => this.name(k)));
+            let column = 0;
+            for (const input of jacobian ? this.inputs : []) {
+                const start = m + first * n + column;
+                const name = ['∂', html('code', {}, output.name), ' / ∂', html('code', {}, input.name)];
+                jacobian.append(block(name, output.length, input.length, (i, j) => start + i * n + j, (k) => this.name(k)));
+                column += input.length;
+            }
+            row += output.length;
         }
         this.cells = [...shown.querySelectorAll('[data-at]')].sort((a, b) => a.dataset.at - b.dataset.at);
         return shown;
@@ -296,6 +302,14 @@ function labelled(text, field) {
 function components(fields) {
     return fields.flatMap(({ name, length }) =>
         (length === 1 ? [name] : Array.from({ length }, (_, k) => `${name}[${k}]`)));
+}
+
+// Numbers in rows and columns, each with its name for the pointer and for screen readers.
+function block(caption, rows, columns, at, name) {
+    const cell = (k) => html('td', { class: 'number', 'data-at': k, title: name(k) });
+    const line = (i) => html('tr', {}, ...Array.from({ length: columns }, (_, j) => cell(at(i, j))));
+    const lines = Array.from({ length: rows }, (_, i) => line(i));
+    return html('div', { class: 'table-wrapper', tabindex: 0 }, html('table', {}, html('caption', {}, ...caption), html('tbody', {}, ...lines)));
 }
 
 function copied(from) {

@@ -28,6 +28,19 @@ function words(text) {
     return spelled(text).replace(/[_^\\{}]/g, ' ').split(/[^\p{L}\p{N}]+/u).filter(Boolean).map(word);
 }
 
+// Words that say nothing of what is asked for.
+const EMPTY = new Set('a an and by can do doe for from how i in is it my of on or the to what when where which with'.split(' '));
+
+// Abbreviations of the field, and words for the same thing.
+const SAME = { dof: ['degree', 'freedom'], ad: ['automatic', 'differentiation'], bug: ['error'] };
+
+// The words that are asked for; all of them if none says anything.
+function asked(text) {
+    const all = words(text);
+    const telling = all.filter((one) => !EMPTY.has(one));
+    return [...new Set((telling.length ? telling : all).flatMap((one) => SAME[one] ?? one))];
+}
+
 // So many words of a chapter are its opening.
 const OPENING = 50;
 
@@ -40,7 +53,7 @@ class Page {
         this.serves = all('serves');
         this.takes = all('takes');
         this.kind = names.kind ?? 'section';
-        this.title = words(title);
+        this.title = words(title).filter((one) => !EMPTY.has(one));
         this.named = new Set(['is', 'gives', 'serves', 'takes', 'has'].flatMap((key) => names[key] ?? []).flatMap(words));
         this.path = new Set(words(breadcrumbs));
         this.opening = words(body).slice(0, OPENING);
@@ -94,10 +107,10 @@ class Index {
 
     search(text) {
         const name = whole(text);
-        const asked = [...new Set(words(text))];
+        const wanted = asked(text);
         if (!name) return [];
-        const rows = this.pages.map((page) => ({ page, found: asked.map((one) => page.has(one)) }));
-        const rare = asked.map((_, k) => Math.log1p(this.pages.length / (1 + rows.filter(({ found }) => found[k]).length)));
+        const rows = this.pages.map((page) => ({ page, found: wanted.map((one) => page.has(one)) }));
+        const rare = wanted.map((_, k) => Math.log1p(this.pages.length / (1 + rows.filter(({ found }) => found[k]).length)));
         const count = (found) => found.filter(Boolean).length;
         // One word may be missing, at a price; more where no page has as many.
         const most = Math.max(...rows.map(({ found }) => count(found)));
@@ -105,9 +118,9 @@ class Index {
         for (const { page, found } of rows) {
             const called = this.called(page, name);
             if (!called && (count(found) === 0 || count(found) < most - 1)) continue;
-            const titled = page.title.filter((one) => asked.includes(one)).length / Math.max(1, page.title.length);
-            const covered = asked.reduce((sum, one, k) => sum + page.covers(one, found[k]), 0) / Math.max(1, asked.length);
-            const sum = found.reduce((sum, weight, k) => sum + weight * rare[k], 0) / Math.max(1, asked.length);
+            const titled = page.title.filter((one) => wanted.includes(one)).length / Math.max(1, page.title.length);
+            const covered = wanted.reduce((sum, one, k) => sum + page.covers(one, found[k]), 0) / Math.max(1, wanted.length);
+            const sum = found.reduce((sum, weight, k) => sum + weight * rare[k], 0) / Math.max(1, wanted.length);
             const kind = { formula: 1.25, symbol: 0.6, list: 0.5 }[page.kind] ?? 1;
             const score = called + covered ** 2 * kind * (sum + 40 * titled);
             results.push({ ref: page.ref, score, doc: page.doc });
@@ -115,6 +128,10 @@ class Index {
         return results.sort((a, b) => b.score - a.score);
     }
 }
+
+// Pasted and dictated text comes without keys, for which alone mdBook's script listens.
+const bar = document.getElementById('mdbook-searchbar');
+bar?.addEventListener('input', () => bar.dispatchEvent(new KeyboardEvent('keyup')));
 
 // What mdBook's own script calls.
 window.elasticlunr = { Index: { load: (index) => new Index(index) }, stemmer: word };

@@ -104,6 +104,12 @@ fn in_words(page: &str) -> String {
         if let Some((_, latex)) = tag.split_once("alttext=\"") {
             text = [&text, "$", latex.split('"').next().unwrap(), "$"].concat();
         }
+        if tag.contains("class=\"math-block\"") {
+            // Its pieces and its number are not repeated.
+            let (_, latex) = tag.split_once("aria-label=\"").unwrap();
+            text = [&text, "$", latex.split('"').next().unwrap(), "$"].concat();
+            after = after.split_once("</a>").unwrap().1;
+        }
         if let "math" | "svg" | "script" | "style" = name {
             after = after.split_once(&format!("</{name}>")).unwrap().1;
         }

@@ -206,7 +206,7 @@ struct Loaded {
 }
 
 impl Visit<'_> {
-    /// Checks one page: on a phone in light colours, then on a desktop in both.
+    /// Checks one page: on a phone in light colours, on paper, then on a desktop in both.
     fn page(&mut self, page: &Path) -> Result<()> {
         let name = page.strip_prefix(self.out).unwrap_or(page).display().to_string();
         self.visited.pages += 1;
@@ -224,6 +224,14 @@ impl Visit<'_> {
         if !repeats {
             self.browser.evaluate("unfold()")?;
             self.note(&name, "unfolded, ", "wider()")?;
+            self.note(&name, "on a phone, ", "unmarked()")?;
+            self.browser.print()?;
+            self.note(&name, "on paper, ", "cut()")?;
+            self.browser.screen(DESK)?;
+            self.browser.prefer(false, false)?;
+            for fault in ["cut()", "illegible()", "repeated()", "joined()"] {
+                self.note(&name, "", fault)?;
+            }
         }
         let Some(axe) = self.axe else { return Ok(()) };
         self.visited.searched += 1;

@@ -11,8 +11,8 @@ use crate::project::Project;
 
 const LIST: &str = "book/queries.txt";
 
-/// The required number of correct answers, out of 40.
-const ENOUGH: (usize, usize) = (38, 40);
+/// The required number of correct answers, out of 50.
+const ENOUGH: (usize, usize) = (47, 50);
 
 /// The answers of the search.
 #[derive(Default)]
@@ -80,10 +80,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn nineteen_of_twenty_answers_are_enough() {
+    fn forty_seven_of_fifty_answers_are_enough() {
         let enough = |asked, right| Answers { asked, right, wrong: Vec::new() }.are_enough();
-        assert!(enough(40, 38) && enough(1, 1) && enough(20, 20) && enough(20, 19));
-        assert!(!enough(40, 37) && !enough(20, 18) && !enough(1, 0) && !enough(0, 0));
+        assert!(enough(50, 47) && enough(1, 1) && enough(20, 20) && enough(20, 19));
+        assert!(!enough(50, 46) && !enough(20, 18) && !enough(1, 0) && !enough(0, 0));
     }
 
     #[test]

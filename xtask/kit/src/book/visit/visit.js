@@ -23,6 +23,67 @@ function wider() {
     return [`the page is ${over} pixels wider than the screen: ${first ? first.outerHTML.slice(0, 160) : 'outside of the text'}`];
 }
 
+// Displayed equations that are wider than their column.
+function cut() {
+    const shown = [...document.querySelectorAll('main .math-block')].filter((one) => one.getClientRects().length);
+    return shown.flatMap((one) => {
+        const column = one.getBoundingClientRect();
+        const pieces = [...one.querySelectorAll('math')].map((piece) => piece.getBoundingClientRect());
+        const [left, right] = [Math.min(...pieces.map((piece) => piece.left)), Math.max(...pieces.map((piece) => piece.right))];
+        if (left >= column.left - 1 && right <= column.right + 1) return [];
+        return [`an equation is ${Math.round(right - left)} pixels wide in a column of ${Math.round(column.width)}: ${one.ariaLabel ?? one.textContent.slice(0, 120)}`];
+    });
+}
+
+// Boxes that scroll to the side and do not show it.
+function unmarked() {
+    const boxes = [...document.querySelectorAll('main :is(.math-block, .table-wrapper, .plots, pre > code)')];
+    const hidden = boxes.filter((box) => box.scrollWidth > box.clientWidth + 1 && !(getComputedStyle(box).overflowX === 'auto' && getComputedStyle(box).backgroundImage.includes('gradient')));
+    return hidden.slice(0, 3).map((box) => `nothing shows that more is beside ${box.outerHTML.slice(0, 120)}`);
+}
+
+// Labels of drawings that are too small to be read, or that cover each other.
+function illegible() {
+    const faults = [];
+    for (const drawing of document.querySelectorAll('main svg')) {
+        const texts = [...drawing.querySelectorAll('text')].filter((text) => text.getClientRects().length && text.textContent.trim());
+        const size = (text) => parseFloat(getComputedStyle(text).fontSize) * Math.hypot(text.getScreenCTM().a, text.getScreenCTM().b);
+        const small = texts.filter((text) => size(text) < 10.95);
+        faults.push(...small.slice(0, 1).map((text) => `the label ${text.textContent} has ${size(text).toFixed(1)} pixels`));
+        const boxes = texts.map((text) => text.getBoundingClientRect());
+        for (let k = 0; k < texts.length; k++) {
+            for (let j = 0; j < k; j++) {
+                const across = Math.min(boxes[k].right, boxes[j].right) - Math.max(boxes[k].left, boxes[j].left);
+                const down = Math.min(boxes[k].bottom, boxes[j].bottom) - Math.max(boxes[k].top, boxes[j].top);
+                // Lines of text have space above and below.
+                if (across > 1 && down > 4) faults.push(`the labels ${texts[j].textContent} and ${texts[k].textContent} cover each other in ${drawing.querySelector('title')?.textContent}`);
+            }
+        }
+    }
+    return faults;
+}
+
+// Columns of tables that say the same words in every row.
+function repeated() {
+    const faults = [];
+    for (const table of document.querySelectorAll('main table:not(.evidence)')) {
+        const rows = [...table.querySelectorAll('tbody tr')].filter((row) => row.cells.length > 1);
+        if (rows.length < 3) continue;
+        [...rows[0].cells].forEach((cell, k) => {
+            const text = cell.textContent.trim();
+            const isWords = /\p{L}{2,} \p{L}{2,}/u.test(text);
+            if (isWords && rows.every((row) => row.cells[k]?.textContent.trim() === text)) faults.push(`a table says "${text}" in each of ${rows.length} rows`);
+        });
+    }
+    return faults;
+}
+
+// Code in which two signs are drawn as one.
+function joined() {
+    const code = [...document.querySelectorAll('main :is(code, pre)')].filter((one) => getComputedStyle(one).fontVariantLigatures !== 'none');
+    return code.slice(0, 1).map((one) => `ligatures in ${one.outerHTML.slice(0, 80)}`);
+}
+
 // Characters of formulas.
 function characters() {
     return [...new Set([...document.querySelectorAll('math')].flatMap(({ textContent }) => [...textContent]))];
@@ -63,7 +124,8 @@ async function found(queries) {
     }
     return queries.map((query) => {
         bar.value = query;
-        bar.dispatchEvent(new KeyboardEvent('keyup', { bubbles: true }));
+        // As if it were pasted, without keys.
+        bar.dispatchEvent(new InputEvent('input', { bubbles: true }));
         const links = [...document.querySelectorAll('#mdbook-searchresults a')];
         return links.slice(0, 3).map((link) => link.getAttribute('href').replace(/\?[^#]*/, ''));
     });

@@ -10,6 +10,9 @@ const HEIGHT: f64 = 270.0;
 const ACROSS: [f64; 2] = [46.0, WIDTH - 12.0];
 const UP: [f64; 2] = [232.0, 26.0];
 
+/// The height of the first line of the legend.
+const LEGEND: f64 = 150.0;
+
 /// Smaller errors are drawn at this value, which is below the roundoff of `f64`.
 const FLOOR: f64 = 1e-17;
 
@@ -31,7 +34,10 @@ pub(crate) fn curve(measurement: &Measurement) -> String {
         let height = y.at(error.max(FLOOR), UP);
         drawing.line("curve method-closed", [ACROSS[0], height], [ACROSS[1], height]);
         let name = if error == 0.0 { "closed form: exact" } else { "closed form" };
-        drawing.text("label", [ACROSS[0] + 4.0, height - 5.0], name);
+        // On the right where the legend is on the left.
+        let is_at_legend = (LEGEND - 20.0..LEGEND + 60.0).contains(&height);
+        let (class, x) = if is_at_legend { ("label end", ACROSS[1] - 4.0) } else { ("label", ACROSS[0] + 4.0) };
+        drawing.text(class, [x, height - 5.0], name);
     }
     for curve in curves {
         let at = |(step, error): (f64, f64)| [x.at(step, ACROSS), y.at(error.max(FLOOR), UP)];
@@ -49,13 +55,13 @@ pub(crate) fn curve(measurement: &Measurement) -> String {
 
 fn legend(drawing: &mut Drawing, curves: &[Curve]) {
     // Below the curves, which descend from the left.
-    let (x, mut y) = (ACROSS[0] + 16.0, 150.0);
+    let (x, mut y) = (ACROSS[0] + 16.0, LEGEND);
     for curve in curves {
         let style = style(curve.scheme.id());
         drawing.line(&format!("curve method-difference dash-{}", curve.scheme.id()), [x, y], [x + 28.0, y]);
         drawing.mark(style.class, style.shape, [x + 14.0, y]);
         drawing.text("label", [x + 34.0, y + 3.5], style.name);
-        y += 14.0;
+        y += 16.0;
     }
 }
 

@@ -50,13 +50,13 @@ fn legend(drawing: &mut Drawing) {
     let [mut x, _] = ACROSS;
     drawing.line("axis", [x, 4.0], [x, 16.0]);
     drawing.text("label", [x + 6.0, 13.5], "copying");
-    x += 66.0;
+    x += 72.0;
     for id in METHODS {
         let style = style(id);
         drawing.mark(style.class, style.shape, [x, 10.0]);
         drawing.text("label", [x + 9.0, 13.5], style.name);
         #[expect(clippy::cast_precision_loss, reason = "a short name")]
         let width = style.name.len() as f64;
-        x += 28.0 + 6.0 * width;
+        x += 26.0 + 6.6 * width;
     }
 }

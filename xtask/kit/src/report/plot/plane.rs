@@ -91,19 +91,12 @@ struct Box {
 /// The first position around a mark where its label covers nothing.
 fn label_place(name: &str, [x, y]: [f64; 2], taken: &mut Vec<Box>) -> (&'static str, [f64; 2]) {
     #[expect(clippy::cast_precision_loss, reason = "a short name")]
-    let width = 5.6 * name.chars().count() as f64;
-    let candidates = [
-        ("", x + 8.0, y),
-        ("end", x - 8.0, y),
-        ("middle", x, y - 13.0),
-        ("middle", x, y + 13.0),
-        ("", x + 6.0, y - 12.0),
-        ("", x + 6.0, y + 12.0),
-        ("end", x - 6.0, y - 12.0),
-        ("end", x - 6.0, y + 12.0),
-        ("middle", x, y - 24.0),
-        ("middle", x, y + 24.0),
-    ];
+    let width = 6.4 * name.chars().count() as f64;
+    let around = |distance: f64| {
+        [y - distance, y + distance].map(|y| [("middle", x, y), ("", x + 6.0, y), ("end", x - 6.0, y)]).concat()
+    };
+    let beside = vec![("", x + 8.0, y), ("end", x - 8.0, y)];
+    let candidates = [beside, around(13.0), around(26.0), around(39.0), around(52.0)].concat();
     let covered = |&(class, x, y): &(&str, f64, f64)| {
         let left = match class {
             "end" => x - width,
@@ -114,9 +107,9 @@ fn label_place(name: &str, [x, y]: [f64; 2], taken: &mut Vec<Box>) -> (&'static 
     };
     let free = |candidate: &&(&str, f64, f64)| {
         let here = covered(candidate);
-        let inside = here.left > ACROSS[0] && here.right < WIDTH && here.middle > 20.0 && here.middle < UP[0];
+        let inside = here.left > ACROSS[0] && here.right < WIDTH && here.middle > 32.0 && here.middle < UP[0];
         let apart = |other: &Box| {
-            here.right < other.left || other.right < here.left || (here.middle - other.middle).abs() > 10.0
+            here.right < other.left || other.right < here.left || (here.middle - other.middle).abs() > 12.5
         };
         inside && taken.iter().all(apart)
     };
