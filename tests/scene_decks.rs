@@ -407,7 +407,7 @@ THREAD
         r#"{ "title": "THREAD", "dimension": "axisymmetric",
         "nodes": { "2": { "at": [49.375, -10] }, "4": { "at": [50.125, 2] }, "6": { "at": [50.875, 14] },
             "21": { "at": [50.2, 4] }, "22": { "at": [50.825, 13] } },
-        "slide_lines": { "PIN": { "type": "linear", "nodes": ["2", "4", "6"], "smoothing": 0.2, "pressure": { "k": 2000 },
+        "slide_lines": { "PIN": { "type": "linear", "nodes": ["2", "4", "6"], "smooth": 0.2, "pressure": { "k": 2000 },
             "torque_frequency": 2 } },
         "elements": { "1": { "kind": "isl21a", "nodes": ["21", "22"], "slide_line": "PIN" } },
         "outputs": OUTPUTS }"#,
