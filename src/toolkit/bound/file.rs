@@ -1,8 +1,9 @@
 //! The file of the certificates of a formula: a line in JSON for the graph, and one for each result and way.
 
 use super::certificate::{Certificate, Programme, check, prove};
-use super::field::{Rational, to_f64};
+use super::field::Rational;
 use super::parts::Rule;
+use super::summary::Summary;
 use super::way::Answers;
 use crate::formula::Field;
 use crate::toolkit::graph::{Graph, Node};
@@ -11,17 +12,24 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 
-/// A line of the file.
+/// The first line of the file: what it is about, and what the others prove.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Head {
+    /// The identifier of the formula.
+    pub formula: String,
+    /// The SHA-256 of the [text](Graph::text) of its graph, in hexadecimal digits.
+    pub graph: String,
+    /// What is proved of the value.
+    pub value: Summary,
+    /// What is proved of the Jacobian.
+    pub jacobian: Summary,
+}
+
+/// Each other line of the file.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(untagged, deny_unknown_fields)]
 pub enum Line {
-    /// The first line: the formula, and the SHA-256 of the [text](Graph::text) of its graph.
-    Graph {
-        /// The identifier.
-        formula: String,
-        /// The digest in hexadecimal digits.
-        graph: String,
-    },
     /// A bound that is proved on one way.
     Proved {
         /// The operation whose result it is.
@@ -52,19 +60,6 @@ pub struct Proof {
     pub results: BTreeMap<Node, Result<Vec<Certificate>, String>>,
 }
 
-/// What is proved of value or Jacobian.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Summary {
-    /// The largest proved bound of η of an entry.
-    pub bound: Rational,
-    /// The number of entries that rounding can change at all.
-    pub entries: usize,
-    /// The entries that are not proved, by position, and why.
-    pub open: Vec<(usize, String)>,
-    /// Whether of some proved entry only the first order is.
-    pub first_order_only: bool,
-}
-
 impl Proof {
     /// Proves what can be; `solve` solves the linear programmes.
     pub fn of(graph: &Graph, inputs: &[Field], solve: impl Fn(&Programme) -> Option<Vec<f64>>) -> Self {
@@ -73,8 +68,10 @@ impl Proof {
     }
 
     /// The file.
-    pub fn render(&self, formula: &str, digest: &str) -> String {
-        let mut lines = vec![Line::Graph { formula: formula.into(), graph: digest.into() }];
+    pub fn render(&self, graph: &Graph, formula: &str, digest: &str) -> String {
+        let [value, jacobian] = self.summaries(graph);
+        let head = Head { formula: formula.into(), graph: digest.into(), value, jacobian };
+        let mut lines = Vec::new();
         for (node, proved) in &self.results {
             let result = number(*node);
             match proved {
@@ -89,26 +86,22 @@ impl Proof {
             }
         }
         let line = |line: &Line| serde_json::to_string(line).unwrap_or_default() + "\n";
-        lines.iter().map(line).collect()
+        serde_json::to_string(&head).unwrap_or_default() + "\n" + &lines.iter().map(line).collect::<String>()
     }
 
-    /// Reads the file.
+    /// Reads the file about a formula with this graph.
     ///
     /// # Errors
     /// What is wrong with which line; or that it is about another formula or graph.
-    pub fn parse(text: &str, formula: &str, digest: &str) -> Result<Self, String> {
+    pub fn parse(text: &str, graph: &Graph, formula: &str, digest: &str) -> Result<Self, String> {
         let mut results: BTreeMap<Node, Result<Vec<Certificate>, String>> = BTreeMap::new();
-        let mut is_tied = false;
-        for (k, text) in text.lines().enumerate() {
+        let head = Head::parse(text)?;
+        if head.formula != formula || head.graph != digest {
+            return Err(format!("line 1: it is about another graph of {}: {}, not {digest}", head.formula, head.graph));
+        }
+        for (k, text) in text.lines().enumerate().skip(1) {
             let wrong = |why: &str| format!("line {}: {why}", k + 1);
             match serde_json::from_str(text).map_err(|error| wrong(&error.to_string()))? {
-                Line::Graph { formula: found, graph } if k == 0 => {
-                    if found != formula || graph != digest {
-                        return Err(wrong(&format!("it is about another graph of {found}: {graph}, not {digest}")));
-                    }
-                    is_tied = true;
-                }
-                Line::Graph { .. } => return Err(wrong("a second graph")),
                 Line::Proved { result, way, bound, first_order_only, steps } => {
                     let steps = steps.iter().map(|step| read(step)).collect::<Option<_>>();
                     let certificate = Certificate {
@@ -129,7 +122,11 @@ impl Proof {
                 }
             }
         }
-        if is_tied { Ok(Self { results }) } else { Err("it does not say of which graph it is".into()) }
+        let proof = Self { results };
+        if proof.summaries(graph) != [head.value, head.jacobian] {
+            return Err("line 1: the other lines say something else".into());
+        }
+        Ok(proof)
     }
 
     /// Checks every certificate, and that something is said of every result.
@@ -151,30 +148,41 @@ impl Proof {
         Ok(())
     }
 
-    /// What is proved of these results, those of the value or of the Jacobian.
-    pub fn summary(&self, results: &[Node]) -> Summary {
+    /// What is proved of value and Jacobian.
+    pub fn summaries(&self, graph: &Graph) -> [Summary; 2] {
+        [&graph.value, &graph.jacobian].map(|results| self.summary(results))
+    }
+
+    fn summary(&self, results: &[Node]) -> Summary {
         let mut summary = Summary::default();
-        for (k, node) in results.iter().enumerate() {
+        for node in results {
             match self.results.get(node) {
                 Some(Ok(certificates)) => {
                     let bound = certificates.iter().map(|it| it.bound).max().unwrap_or_default();
-                    summary.entries += usize::from(!bound.is_zero());
+                    summary.proved += usize::from(!bound.is_zero());
                     summary.bound = summary.bound.max(bound);
                     summary.first_order_only |= certificates.iter().any(|it| !it.is_first_order);
                 }
-                Some(Err(why)) => summary.open.push((k, why.clone())),
-                None => summary.open.push((k, "nothing is said of it".into())),
+                open => {
+                    summary.entries += 1;
+                    if summary.why.is_empty() {
+                        summary.why = open.map_or("nothing is said of it".into(), |open| open.clone().unwrap_err());
+                    }
+                }
             }
         }
-        summary.entries += summary.open.len();
+        summary.entries += summary.proved;
         summary
     }
 }
 
-impl Summary {
-    /// The bound as a double, not below it.
-    pub fn bound(&self) -> f64 {
-        if self.bound.is_integer() { to_f64(self.bound) } else { to_f64(self.bound).next_up() }
+impl Head {
+    /// Reads the first line of a file.
+    ///
+    /// # Errors
+    /// What is wrong with it.
+    pub fn parse(text: &str) -> Result<Self, String> {
+        serde_json::from_str(text.lines().next().unwrap_or_default()).map_err(|error| format!("line 1: {error}"))
     }
 }
 

@@ -32,6 +32,8 @@ pub(crate) struct Pages<'a> {
     pub(crate) places: BTreeMap<String, Place>,
     /// The page with the evidence of all formulas.
     pub(crate) evidence: Option<String>,
+    /// The page with the bounds of all formulas.
+    pub(crate) accuracy: Option<String>,
     /// The faults so far.
     pub(crate) faults: RefCell<Faults>,
 }
@@ -40,7 +42,7 @@ impl<'a> Pages<'a> {
     /// Without entry locations and faults.
     pub(crate) fn new(content: &'a Content, later: &'a Deferred) -> Self {
         let (places, faults) = (BTreeMap::new(), RefCell::default());
-        Self { content, math: Math::new(), later, places, evidence: None, faults }
+        Self { content, math: Math::new(), later, places, evidence: None, accuracy: None, faults }
     }
 
     /// Records a fault.
