@@ -26,6 +26,6 @@ mod way;
 pub use certificate::{Certificate, Programme, check, prove};
 pub use field::Rational;
 pub use file::{Head, Line, Proof};
-pub use parts::Rule;
+pub use parts::{Part, Rule};
 pub use summary::{Summary, accuracy};
 pub use way::{Answers, MOST_WAYS};

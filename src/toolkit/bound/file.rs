@@ -2,7 +2,7 @@
 
 use super::certificate::{Certificate, Programme, check, prove};
 use super::field::Rational;
-use super::parts::Rule;
+use super::parts::{Part, Rule};
 use super::summary::Summary;
 use super::way::Answers;
 use crate::formula::Field;
@@ -41,7 +41,7 @@ pub enum Line {
         /// Whether only the first order is proved, since a difference of rounded numbers is squared, is a divisor or an argument.
         #[serde(default, skip_serializing_if = "std::ops::Not::not")]
         first_order_only: bool,
-        /// The rules, each with its operation, the places that it names, and its amount.
+        /// The rules, each with its amount and with the parts that it names: operation, derivative and place.
         steps: Vec<Vec<Value>>,
     },
     /// A result without proof, and why.
@@ -80,7 +80,7 @@ impl Proof {
                     way: certificate.way.iter().map(|(node, answer)| (number(*node), *answer)).collect(),
                     bound: certificate.bound.to_string(),
                     first_order_only: !certificate.is_first_order,
-                    steps: certificate.steps.iter().map(|(rule, amount)| written(*rule, *amount)).collect(),
+                    steps: certificate.steps.iter().map(|(rule, amount)| written(rule, *amount)).collect(),
                 })),
                 Err(why) => lines.push(Line::Open { result, open: why.clone() }),
             }
@@ -200,33 +200,45 @@ fn node_of(number: u32) -> Node {
     Node::at(number as usize)
 }
 
-fn written(rule: Rule, amount: Rational) -> Vec<Value> {
-    let mut step = match rule {
-        Rule::Uses(node, part) => vec![json!("uses"), json!(node.index()), json!(part)],
-        Rule::Sum(node, form, part) => vec![json!("sum"), json!(node.index()), json!(form), json!(part)],
-        Rule::Parts(node, form) => vec![json!("parts"), json!(node.index()), json!(form)],
-        Rule::Angle(node) => vec![json!("angle"), json!(node.index())],
-        Rule::Range(node, form, part, other, by) => {
-            vec![json!("range"), json!(node.index()), json!(form), json!(part), json!(other), json!(by.index())]
+fn written(rule: &Rule, amount: Rational) -> Vec<Value> {
+    let part = |Part(node, form, place): &Part| vec![json!(node.index()), json!(form), json!(place)];
+    let mut step = vec![json!(""), json!(amount.to_string())];
+    step[0] = match rule {
+        Rule::Sum(terms) => {
+            let term =
+                |(factor, named): &(Rational, Part)| [vec![json!(factor.to_string())], part(named)].concat().into();
+            step.extend(terms.iter().map(term));
+            json!("sum")
+        }
+        Rule::Parts(node, form) => {
+            step.extend([json!(node.index()), json!(form)]);
+            json!("parts")
+        }
+        Rule::Range(named, other, by) => {
+            step.extend([part(named).into(), part(other).into(), json!(by.index())]);
+            json!("range")
         }
     };
-    step.push(json!(amount.to_string()));
     step
 }
 
 fn read(step: &[Value]) -> Option<(Rule, Rational)> {
-    let (amount, rule) = step.split_last()?;
-    let (name, places) = rule.split_first()?;
+    let [name, amount, rest @ ..] = step else { return None };
     // No graph has more operations than 32 bits count.
-    let place = |place: &Value| place.as_u64().and_then(|place| u32::try_from(place).ok()).map(|place| place as usize);
-    let places: Vec<Option<usize>> = places.iter().map(place).collect();
-    let node = |place: &Option<usize>| place.map(Node::at);
-    let rule = match (name.as_str()?, places.as_slice()) {
-        ("uses", [of, part]) => Rule::Uses(node(of)?, (*part)?),
-        ("sum", [of, form, part]) => Rule::Sum(node(of)?, (*form)?, (*part)?),
-        ("parts", [of, form]) => Rule::Parts(node(of)?, (*form)?),
-        ("angle", [of]) => Rule::Angle(node(of)?),
-        ("range", [of, form, part, other, by]) => Rule::Range(node(of)?, *form, (*part)?, (*other)?, node(by)?),
+    let count = |place: &Value| place.as_u64().and_then(|place| u32::try_from(place).ok()).map(|place| place as usize);
+    let node = |place: &Value| count(place).map(Node::at);
+    let part = |places: &[Value]| match places {
+        [of, form, place] => Some(Part(node(of)?, count(form)?, count(place)?)),
+        _ => None,
+    };
+    let term = |term: &Value| {
+        let (factor, named) = term.as_array()?.split_first()?;
+        Some((factor.as_str()?.parse().ok()?, part(named)?))
+    };
+    let rule = match (name.as_str()?, rest) {
+        ("sum", terms) => Rule::Sum(terms.iter().map(term).collect::<Option<_>>()?),
+        ("parts", [of, form]) => Rule::Parts(node(of)?, count(form)?),
+        ("range", [named, other, by]) => Rule::Range(part(named.as_array()?)?, part(other.as_array()?)?, node(by)?),
         _ => return None,
     };
     Some((rule, amount.as_str()?.parse().ok()?))

@@ -240,6 +240,7 @@ mod tests {
     use super::*;
     use jointproof::catalog;
     use jointproof::toolkit::bound::{Rational, Rule, check};
+    use jointproof::toolkit::graph::Node;
 
     fn proved(id: &str) -> (&'static dyn AnyFormula, Graph, Proof) {
         let formula = catalog::find(id).unwrap();
@@ -321,7 +322,7 @@ mod tests {
                     for step in 0..certificates[k].steps.len() {
                         let negative = with(&|of| of.steps[step].1 *= -1);
                         assert!(negative.is_err(), "{id}: a negative amount");
-                        let other = with(&|of| of.steps[step].0 = Rule::Angle(node));
+                        let other = with(&|of| of.steps[step].0 = Rule::Parts(Node::at(0), 0));
                         assert!(other.is_err(), "{id}: a rule that is not there");
                         for verdict in [with(&|of| _ = of.steps.remove(step)), with(&|of| of.steps[step].1 /= 2)] {
                             if verdict.is_err() { refused += 1 } else { harmless += 1 }
