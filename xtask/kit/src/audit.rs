@@ -97,7 +97,7 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
         let seconds = Duration::try_from_secs_f64(seconds)
             .map_err(|error| Usage(format!("--attack is {seconds}; allowed is a time in seconds: {error}")))?;
         let effort = arguments.evaluations.map_or(Effort::Time(seconds), Effort::Evaluations);
-        let (text, holds) = attack::run(&arguments.selection.formulas(project)?, effort, arguments.seed)?;
+        let (text, holds) = attack::run(project, &arguments.selection.formulas(project)?, effort, arguments.seed)?;
         print(&text)?;
         return Ok(verdict(holds));
     }

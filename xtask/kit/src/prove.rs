@@ -153,7 +153,7 @@ fn read(text: &str, formula: &dyn AnyFormula, graph: &Graph) -> Result<Proof, St
 }
 
 /// What is said to be proved of value and Jacobian of a formula, as committed; `None` where there is no file about its graph.
-fn stated(project: &Project, formula: &dyn AnyFormula) -> Option<[Summary; 2]> {
+pub(crate) fn stated(project: &Project, formula: &dyn AnyFormula) -> Option<[Summary; 2]> {
     let text = std::fs::read_to_string(folder(project).join(name(formula))).ok()?;
     let head = Head::parse(&text).ok()?;
     (head.graph == digest(formula, &formula.graph().ok()?)).then_some([head.value, head.jacobian])
@@ -240,7 +240,7 @@ mod tests {
     use super::*;
     use jointproof::catalog;
     use jointproof::toolkit::bound::{Rational, Rule, check};
-    use jointproof::toolkit::graph::Node;
+    use jointproof::toolkit::graph::{Node, Op};
 
     fn proved(id: &str) -> (&'static dyn AnyFormula, Graph, Proof) {
         let formula = catalog::find(id).unwrap();
@@ -304,6 +304,8 @@ mod tests {
             "slide_line.parabolic_point",
         ] {
             let (formula, graph, proof) = proved(id);
+            let is_input = |node: &Node| matches!(graph.op(*node), Op::Input(_));
+            let first = graph.needed(&graph.value).into_iter().find(is_input).unwrap();
             for (&node, certificates) in &proof.results {
                 let certificates = certificates.as_ref().unwrap();
                 let holds = |certificates: &[_]| check(&graph, formula.inputs(), node, certificates);
@@ -322,7 +324,7 @@ mod tests {
                     for step in 0..certificates[k].steps.len() {
                         let negative = with(&|of| of.steps[step].1 *= -1);
                         assert!(negative.is_err(), "{id}: a negative amount");
-                        let other = with(&|of| of.steps[step].0 = Rule::Parts(Node::at(0), 0));
+                        let other = with(&|of| of.steps[step].0 = Rule::Parts(first, 0));
                         assert!(other.is_err(), "{id}: a rule that is not there");
                         for verdict in [with(&|of| _ = of.steps.remove(step)), with(&|of| of.steps[step].1 /= 2)] {
                             if verdict.is_err() { refused += 1 } else { harmless += 1 }

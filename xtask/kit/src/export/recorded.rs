@@ -272,15 +272,17 @@ mod tests {
 
     #[test]
     fn a_golden_file_is_told_by_its_checksum_where_there_is_one() {
-        let folder = tempfile::tempdir().unwrap();
+        let root = tempfile::tempdir().unwrap();
+        let project = Project::new("told", root.path().to_str().unwrap().to_owned().leak(), &[]);
         let formula = jointproof::catalog::find("slot.contact_force").unwrap();
-        let said = |folder| {
-            let (recorded, _) = record(&[formula], folder);
+        let said = |project| {
+            let (recorded, _) = record(&[formula], project);
             description(&recorded[0]).into_iter().filter(|line| line.starts_with("SHA-256 ")).collect::<Vec<_>>()
         };
-        assert_eq!((said(None), said(Some(folder.path()))), (vec![], vec![]));
-        std::fs::write(folder.path().join("slot.contact_force.json"), "").unwrap();
+        assert_eq!((said(None), said(Some(&project))), (vec![], vec![]));
+        std::fs::create_dir(project.golden()).unwrap();
+        std::fs::write(project.golden_file("slot.contact_force"), "").unwrap();
         let empty = "SHA-256 e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855";
-        assert_eq!(said(Some(folder.path())), [empty]);
+        assert_eq!(said(Some(&project)), [empty]);
     }
 }
