@@ -121,23 +121,6 @@ impl Spec {
         Self { normwise: Some(Bounds { value, jacobian: Some(jacobian) }), ..self }
     }
 
-    /// The bounds of η of value and Jacobian that the audit checks, in words.
-    ///
-    /// ```
-    /// use jointproof::connector::slider::rows::Rows;
-    /// use jointproof::formula::Formula;
-    /// use jointproof::connector::ujoint::HingeAxial;
-    /// assert_eq!(HingeAxial::SPEC.accuracy(), "η at most 2.5 of the value, 5.5 of the Jacobian");
-    /// assert_eq!(Rows::SPEC.accuracy(), "η at most 12 of the value, normwise; the Jacobian is automatic");
-    /// ```
-    pub fn accuracy(&self) -> String {
-        let (Bounds { value, jacobian }, by) = self.bounds();
-        match jacobian {
-            Some(jacobian) => format!("η at most {value} of the value, {jacobian} of the Jacobian{by}"),
-            None => format!("η at most {value} of the value{by}; the Jacobian is automatic"),
-        }
-    }
-
     /// The bounds that the audit checks, and the suffix that says how they are meant.
     pub const fn bounds(&self) -> (Bounds, &'static str) {
         match self.normwise {

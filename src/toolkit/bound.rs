@@ -20,10 +20,12 @@ mod field;
 mod file;
 mod parts;
 mod sign;
+mod summary;
 mod way;
 
 pub use certificate::{Certificate, Programme, check, prove};
 pub use field::Rational;
-pub use file::{Line, Proof, Summary};
-pub use parts::Rule;
+pub use file::{Head, Line, Proof};
+pub use parts::{Part, Rule};
+pub use summary::{Summary, accuracy};
 pub use way::{Answers, MOST_WAYS};

@@ -2,10 +2,9 @@
 """Check proved bounds of rounding errors: that the steps of every certificate add up to its bound. Standard library alone.
 
   cargo xtask prove --graphs target/graphs
-  python check_bounds.py target/graphs           the certificates of ../../golden/bounds
-  python check_bounds.py target/graphs FOLDER    those of another folder
+  python check_bounds.py target/graphs [FOLDER]     the certificates of ../../golden/bounds, or of another folder
 
-Parts are compared modulo a prime, at points where inputs look random. A sign is known up to 1 (not below 0) and 2 (not above 0).
+Parts are compared modulo a prime, at points where inputs look random. Signs are sets: 1 is not below 0, 2 is not above 0.
 """
 
 from __future__ import annotations
@@ -20,19 +19,18 @@ from collections import defaultdict
 from fractions import Fraction
 from pathlib import Path
 
-PRIME, POINTS, SMALL, TURNED = 2**127 - 1, 8, 2**40, (0, 2, 1, 3)
-RHO = {"add": 1, "subtract": 1, "multiply": 1, "divide": 1, "root": 1, "multiply and add": 1, "exact sum": 2, "sine": 2, "cosine": 2,
-       "exponential": 2, "exponential minus one": 2, "arc sine": Fraction(13, 5), "angle": 4, "number": 1}  # fmt: skip
-RATIONAL = {"add": Fraction.__add__, "subtract": Fraction.__sub__, "multiply": Fraction.__mul__, "divide": Fraction.__truediv__,
-            "negative": Fraction.__neg__, "absolute": Fraction.__abs__}  # fmt: skip
-FIRST = {"add": (0, 1), "subtract": (0, 1), "multiply and add": (0, 2), "exact sum": range(0, 400, 4), "norm": range(400)}
+PRIME, POINTS, TURNED = 2**127 - 1, range(8), (0, 2, 1, 3)
+ROUNDINGS = {"add": 1, "subtract": 1, "multiply": 1, "divide": 1, "root": 1, "multiply and add": 1, "exact sum": 2, "sine": 2, "cosine": 2,
+             "exponential": 2, "exponential minus one": 2, "arc sine": Fraction(13, 5), "angle": 4, "number": 1}  # fmt: skip
+FOLDED = {"add": Fraction.__add__, "subtract": Fraction.__sub__, "multiply": Fraction.__mul__, "divide": Fraction.__truediv__,
+          "negative": Fraction.__neg__, "absolute": Fraction.__abs__}  # fmt: skip
 
 
 class Refused(Exception):
     """A certificate does not prove what it says."""
 
 
-def demand(holds, why: str) -> None:
+def demand(holds, why: str):
     if not holds:
         raise Refused(why)
 
@@ -44,18 +42,26 @@ def bits(x: Fraction) -> float:
 
 
 def inverse(x: int) -> int:
-    return pow(x % PRIME, -1, PRIME)
+    return pow(x, -1, PRIME)
 
 
-def fraction(x: int) -> Fraction | None:
-    """The quotient of small numbers that this is modulo the prime."""
-    (a, b), (c, d) = (PRIME, 0), (x, 1)
-    while c >= SMALL:
+def modular(x: Fraction) -> int:
+    return x.numerator * inverse(x.denominator)
+
+
+def fraction(x: int):
+    """The quotient of numbers below 2^40 that this is modulo the prime, if it is one."""
+    (a, b), (c, d) = (PRIME, 0), (x % PRIME, 1)
+    while c >> 40:
         (a, b), (c, d) = (c, d), (a % c, b - a // c * d)
-    return Fraction(c, d) if 0 < abs(d) < SMALL else None
+    return Fraction(c, d) if 0 < abs(d) < 2**40 else None
 
 
-def are_all(ways: list[dict]) -> bool:
+def times(*factors: list) -> tuple:
+    return tuple(math.prod(at_point) % PRIME for at_point in zip(*factors))
+
+
+def are_all(ways: list) -> bool:
     """Whether one of these ways is taken however comparisons come out."""
     if not ways or not all(ways):
         return bool(ways)
@@ -63,87 +69,82 @@ def are_all(ways: list[dict]) -> bool:
     return all(are_all([{k: v for k, v in way.items() if k != at} for way in ways if way.get(at, it) == it]) for it in (False, True))
 
 
-class Way:
-    """A way through the branches of a graph: numbers at points, their derivatives, and what is known of signs and sizes."""
+def computed(name: str, x: list, t: int, slope: int) -> tuple:
+    """A number modulo the prime, and its derivatives with respect to its operands; those that are not known are t and the slope."""
+    if name in ("add", "subtract"):
+        return x[0] + x[1] * (sign := 1 if name == "add" else -1), [1, sign]
+    if name in ("multiply", "multiply and add", "exact sum"):
+        products = [x[k : k + 4] for k in range(0, len(x), 4)] if name == "exact sum" else [x[:2], x[2:]][: len(x) - 1]
+        return sum(map(math.prod, products)), [math.prod(p[:k] + p[k + 1 :]) for p in products for k in range(len(p))]
+    if name in ("negative", "absolute"):  # A sign may be any number.
+        return x[0] * (sign := -1 if name == "negative" else t), [sign]
+    if name == "divide":
+        return x[0] * inverse(x[1]), [inverse(x[1]), -x[0] * inverse(x[1]) ** 2]
+    if name in ("root", "norm"):
+        square = x[0] if name == "root" else sum(y * y for y in x)
+        root = pow(square, (PRIME + 1) // 4, PRIME) * (-1) ** (t & 1)
+        if (root * root - square) % PRIME:
+            raise ArithmeticError("no root at this point")
+        return root, [inverse(2 * root)] if name == "root" else [y * inverse(root) for y in x]
+    if name == "angle":
+        return t, [y * inverse(x[0] ** 2 + x[1] ** 2) for y in (x[1], -x[0])]
+    return t, [{"exponential": t, "exponential minus one": t + 1}.get(name, slope)]
 
-    def __init__(self, ops: list[list], way: dict[int, bool], results: list[int]):
-        self.ops, self.way, self.exact, self.less = ops, way, {}, []
-        for by, answer in way.items():
+
+class Way:
+    """The numbers of a way through the branches of a graph, at points, and what is known of their signs."""
+
+    def __init__(self, ops: list, answers: dict, results: list):
+        self.ops, self.answers, self.exact, self.less, self.sign = ops, answers, {}, [], defaultdict(int)
+        for by, answer in answers.items():
             name, x, y = ops[by]
             try:
-                x, y = map(self.resolved, (y, x) if name == "maximum" else (x, y))
-                self.needed([x, y])
-            except Refused:
+                self.needed(pair := [*map(self.resolved, (y, x) if name == "maximum" else (x, y))])
+            except Refused:  # It depends on comparisons that are not on this way.
                 continue
-            pairs = [(x, y, by), (y, x, by)]
-            self.less += pairs if name == "equal" and answer else [] if name == "equal" else pairs[:1] if answer else pairs[1:]
-        self.nodes = self.needed([self.resolved(n) for n in results] + [x for pair in self.less for x in pair[:2]])
-        points = [self.point(k) for k in range(POINTS)]
+            orders = (answer, answer) if name == "equal" else (answer, not answer)
+            self.less += [(*order, by) for holds, order in zip(orders, (pair, pair[::-1])) if holds]
+        self.nodes = self.needed([*map(self.resolved, results), *(x for pair in self.less for x in pair[:2])])
+        points = [self.point(k) for k in POINTS]
         self.value, self.slopes = ({n: [point[of][n] for point in points] for n in self.nodes} for of in (0, 1))
-        self.sign, said = {}, defaultdict(int)
-        for _ in range(4):
-            for n in self.nodes:
-                self.sign[n] = self.sign_of(n) | said[n]
-            self.bounded = self.ends()
-            for x, y, by in self.less:
-                said[y] |= self.sign[x] & 1
-                said[x] |= self.sign[y] & 2
-                pairs = [(x, y)] * (self.sign[x] & 1) + [(y, x)] * (self.sign[y] >> 1)
-                for x, y in [tuple(map(self.bare, pair)) for pair in pairs]:
-                    if all(self.value[y]):
-                        sign = product(self.sign[x], self.sign[y])
-                        z = times(self.value[x], [inverse(v) for v in self.value[y]])
-                        self.bounded.append((z, Fraction((sign & 1) - 1), Fraction(1 - sign // 2), by))
-            for n in self.nodes:
-                for k, sign in enumerate(self.terms(n)):
-                    term = times(self.value[self.operands(n)[k]], [-1 if k and self.ops[n][0] == "subtract" else 1] * POINTS)
-                    for ratio in (between(self.value[n], term, it) for it in self.bounded if sign):
-                        said[n] |= product(sign, (ratio[0] >= 0) | 2 * (ratio[1] <= 0)) if ratio else 0
+        learned = {0: 0}
+        while learned:
+            for n in self.nodes * 2:
+                self.sign[n] |= self.sign_of(n)
+            self.bounded = [*self.bounds()]
+            learned = {n: sign for n in self.nodes if not self.sign[n] and (sign := self.sign_by_ratio(n))}
+            self.sign.update(learned)
 
-    def ends(self) -> list[tuple]:
-        """The numbers that domains, and comparisons with constants, bound by others than 0: values, both ends, and which it is."""
-        low, high = ({n: Fraction(x) for n in self.nodes if self.ops[n][0] == "input" and (x := self.ops[n][k]) is not None} for k in (2, 3))
-        for x, y, _ in self.less:
-            if self.exact[x] is not None:
-                low[y] = max(self.exact[x], low.get(y, self.exact[x]))
-            if self.exact[y] is not None:
-                high[x] = min(self.exact[y], high.get(x, self.exact[y]))
-        some = [n for n in self.nodes if (low.get(n) or high.get(n)) and self.exact[n] is None]
-        return [(self.value[n], low.get(n), high.get(n), n) for n in some]
+    def resolved(self, n: int) -> int:
+        while self.ops[n][0] in ("select", "maximum"):
+            *condition, yes, no = self.ops[n][1:]
+            at = self.resolved(condition[0]) if condition else n
+            demand(at in self.answers, f"the way does not say how {at} comes out")
+            n = yes if self.answers[at] else no
+        return n
 
-    def resolved(self, node: int) -> int:
-        while (name := self.ops[node][0]) in ("select", "maximum"):
-            node = self.ops[node][-2 if self.holds(node if name == "maximum" else self.ops[node][1]) else -1]
-        return node
+    def operands(self, n: int) -> list:
+        name, *operands = self.ops[n]
+        return [] if name in ("input", "number", "power of two", "nearest integer") else [*map(self.resolved, operands)]
 
-    def holds(self, node: int) -> bool:
-        while self.ops[node][0] == "select":
-            node = self.ops[node][2 if self.holds(self.ops[node][1]) else 3]
-        demand(node in self.way, f"the way does not say how {node} comes out")
-        return self.way[node]
-
-    def operands(self, node: int) -> list[int]:
-        name, *operands = self.ops[node]
-        return [] if name in ("input", "number", "power of two", "nearest integer") else [self.resolved(x) for x in operands]
-
-    def needed(self, open_: list[int]) -> list[int]:
-        found = set()
+    def needed(self, open_: list) -> list:
+        found, open_ = set(), [*open_]
         while open_:
-            found.add(node := open_.pop())
-            open_ += [x for x in self.operands(node) if x not in found]
-        for node in sorted(found):
-            self.exact[node] = self.constant(node)
+            found.add(n := open_.pop())
+            open_ += [x for x in self.operands(n) if x not in found]
+        for n in sorted(found):
+            self.exact[n] = self.constant(n)
         return sorted(found)
 
-    def constant(self, n: int) -> Fraction | None:
+    def constant(self, n: int):
         """A literal of at most twenty bits, and what is made of such ones without rounding; others may stand for numbers without end."""
         name, known = self.ops[n][0], [self.exact[x] for x in self.operands(n)]
         if name == "number":
             x = struct.unpack(">d", bytes.fromhex(self.ops[n][1]))[0]
             return Fraction(x) if math.isfinite(x) and bits(Fraction(x)) <= 20 else None
-        if name not in RATIONAL or None in known or name == "divide" and not known[1]:
+        if name not in FOLDED or None in known or name == "divide" and not known[1]:
             return None
-        return value if bits(value := RATIONAL[name](*known)) <= 53 else None
+        return value if bits(value := FOLDED[name](*known)) <= 53 else None
 
     def scales(self, n: int) -> bool:
         """Whether it is a power of two."""
@@ -151,80 +152,78 @@ class Way:
             return all(map(self.scales, self.operands(n)))
         return self.ops[n][0] == "power of two" or self.exact[n] is not None and bits(self.exact[n]) == 1
 
-    def rho(self, n: int) -> Fraction | int:
+    def roundings(self, n: int):
         name, x = self.ops[n][0], self.operands(n)
         zero, scales = [self.exact[k] == 0 for k in x], [self.scales(k) for k in x]
         exact = {"add": zero, "subtract": zero, "multiply": zero + scales, "divide": zero[:1] + scales[1:]}.get(name, [])
-        return 0 if self.exact[n] is not None or any(exact) else Fraction(len(x) + 2, 2) if name == "norm" else RHO.get(name, 0)
+        return 0 if self.exact[n] is not None or any(exact) else Fraction(len(x) + 2, 2) if name == "norm" else ROUNDINGS.get(name, 0)
 
-    def point(self, k: int) -> tuple[dict, dict]:
-        """Numbers at a point, and the derivatives of the result with respect to the uses of each, of later operations first."""
+    def point(self, k: int) -> tuple:
+        """The numbers at a point at which all roots exist, and their derivatives."""
         for trial in range(4096):
-            value, slopes, uses = {}, {}, defaultdict(list)
-            for n in self.nodes:
-                name, x = self.ops[n][0], [value[m] for m in self.operands(n)]
-                t = symbol = random.Random(f"{k} {trial} {n}").randrange(1, PRIME)
-                d = [symbol + 1]
-                if self.exact[n] is not None:
-                    t = self.exact[n].numerator * inverse(self.exact[n].denominator)
-                if name == "negative":
-                    t, d = -x[0], [-1]
-                elif name == "absolute":
-                    t, d = x[0] * symbol, [symbol]
-                elif name in ("add", "subtract"):
-                    d = [1, 1 if name == "add" else -1]
-                    t = x[0] + d[1] * x[1]
-                elif name == "multiply":
-                    t, d = x[0] * x[1], x[::-1]
-                elif name == "divide":
-                    t, d = x[0] * inverse(x[1]), [inverse(x[1]), -x[0] * inverse(x[1]) ** 2]
-                elif name in ("multiply and add", "exact sum"):
-                    products = [x[:2], x[2:]] if name == "multiply and add" else [x[j : j + 4] for j in range(0, len(x), 4)]
-                    t = sum(map(math.prod, products))
-                    d = [math.prod(p[:j] + p[j + 1 :]) for p in products for j in range(len(p))]
-                elif name in ("root", "norm"):
-                    square = x[0] if name == "root" else sum(y * y for y in x)
-                    t = pow(square, (PRIME + 1) // 4, PRIME) * (-1) ** (symbol & 1)
-                    if not square % PRIME or (t * t - square) % PRIME:
-                        break
-                    d = [inverse(2 * t)] if name == "root" else [y * inverse(t) for y in x]
-                elif name == "angle":
-                    d = [y * inverse(x[0] ** 2 + x[1] ** 2) for y in (x[1], -x[0])]
-                elif name == "exponential":
-                    d = [t]
-                value[n], slopes[n] = t % PRIME, d
-            else:
+            value, slopes = {}, {}
+            try:
+                for n in self.nodes:
+                    rng = random.Random(f"{k} {trial} {n}")
+                    t, slope = rng.randrange(1, PRIME), rng.randrange(1, PRIME)
+                    t, slopes[n] = computed(self.ops[n][0], [value[x] for x in self.operands(n)], t, slope)
+                    value[n] = (t if self.exact[n] is None else modular(self.exact[n])) % PRIME
                 return value, slopes
+            except ArithmeticError:
+                continue
         raise Refused("no point has all roots")
+
+    def agree(self, n: int) -> int:
+        """The sign that the terms of a sum of two, or of a norm, have in common."""
+        name, s = self.ops[n][0], [self.sign[x] for x in self.operands(n)]
+        return 1 if name == "norm" else s[0] & s[1] if name == "add" else s[0] & TURNED[s[1]] if name == "subtract" else 0
+
+    def sign_of(self, n: int) -> int:
+        name, *data = self.ops[n]
+        x = self.operands(n)
+        s = [self.sign[k] for k in x]
+        known = self.agree(n)
+        for less, more, _ in self.less:
+            known |= (self.sign[less] & 1 if n == more else 0) | (self.sign[more] & 2 if n == less else 0)
+            if name == "subtract" and set(x) == {less, more}:
+                known |= 1 if x[0] == more else 2
+        if name == "number":
+            value = struct.unpack(">d", bytes.fromhex(data[0]))[0]
+            return known | (value >= 0) | 2 * (value <= 0)
+        if name == "input":
+            return known | (data[1] is not None and data[1] >= 0) | 2 * (data[2] is not None and data[2] <= 0)
+        if name in ("absolute", "root", "exponential", "power of two") or name == "multiply" and x[0] == x[1]:
+            return known | 1
+        if name in ("multiply", "divide"):
+            return known | product(*s)
+        return known | (TURNED[s[0]] if name == "negative" else s[0] if name in ("exponential minus one", "arc sine", "angle") else 0)
+
+    def sign_by_ratio(self, n: int) -> int:
+        """The sign of a sum of which the ratio to one of its terms has a sign."""
+        for x in self.operands(n) if self.ops[n][0] in ("add", "subtract") else []:
+            for *bounds, _ in self.bounded if self.sign[x] else []:
+                low, high = between(self.value[n], self.value[x], *bounds) or (-1, 1)
+                if low >= 0 or high <= 0:
+                    return self.sign[x] if low >= 0 else TURNED[self.sign[x]]
+        return 0
+
+    def bounds(self):
+        """The numbers with other bounds than 0, by their domains and by comparisons: at the points, both ends, and what bounds them."""
+        ends = {n: [[x] for x in self.ops[n][2:]] for n in self.nodes if self.ops[n][0] == "input"}
+        for x, y, by in self.less:
+            ends.setdefault(y, [[], []])[0].append(self.exact[x])
+            ends.setdefault(x, [[], []])[1].append(self.exact[y])
+            for x, y in [(x, y)] * (self.sign[x] & 1) + [(y, x)] * (self.sign[y] >> 1):
+                if all(self.value[y := self.bare(y)]):
+                    sign = product(self.sign[x := self.bare(x)], self.sign[y])
+                    yield times(self.value[x], map(inverse, self.value[y])), (sign & 1) - 1, 1 - sign // 2, by
+        for n, both in ends.items():
+            low, high = ([Fraction(x) for x in some if x is not None] for some in both)
+            if self.exact[n] is None and any(low + high):
+                yield self.value[n], max(low, default=None), min(high, default=None), n
 
     def bare(self, n: int) -> int:
         return self.bare(self.operands(n)[0]) if self.ops[n][0] in ("absolute", "negative") else n
-
-    def terms(self, n: int) -> list[int]:
-        """The signs of the terms of a sum of two."""
-        s = [self.sign[x] for x in self.operands(n)]
-        return s if self.ops[n][0] == "add" else [s[0], TURNED[s[1]]] if self.ops[n][0] == "subtract" else []
-
-    def sign_of(self, n: int) -> int:
-        name, *x = self.ops[n]
-        s = [self.sign[k] for k in self.operands(n)]
-        if name == "number":
-            return (self.exact[n] >= 0) | 2 * (self.exact[n] <= 0) if self.exact[n] is not None else 2 if int(x[0], 16) >> 63 else 1
-        if name == "input":
-            return (x[1] is not None and x[1] >= 0) | 2 * (x[2] is not None and x[2] <= 0)
-        if name in ("norm", "absolute", "root", "exponential", "power of two") or name == "multiply" and len(set(self.operands(n))) == 1:
-            return 1
-        if name in ("multiply", "divide"):
-            return product(*s)
-        if name in ("add", "subtract"):
-            a, b = self.operands(n)
-            order = {(x, y) for x, y, _ in self.less} if name == "subtract" else ()
-            return ((b, a) in order) | 2 * ((a, b) in order) | self.terms(n)[0] & self.terms(n)[1]
-        return TURNED[s[0]] if name == "negative" else s[0] if name in ("exponential minus one", "arc sine", "angle") else 0
-
-
-def times(x: list, y: list) -> tuple:
-    return tuple(a * b % PRIME for a, b in zip(x, y))
 
 
 def product(x: int, y: int) -> int:
@@ -232,108 +231,95 @@ def product(x: int, y: int) -> int:
     return bool(x & y) | 2 * bool(TURNED[x] & y)
 
 
-def between(x: list, y: list, bounded: tuple) -> tuple | None:
-    """The bounds of x/y if it is (a + b z) / (c + d z), with small fractions, for a number z within bounds."""
-    z, low, high, _ = bounded
-    rows = [(q, t * q, -p, -t * p) for p, q, t in zip(x, y, z)]
-    found = []
+def between(p: tuple, q: tuple, z: tuple, low, high):
+    """The bounds of p/q if it is (a + b z) / (c + d z) with small fractions and z is between its ends."""
+    rows, found = [(y, t * y, -x, -t * x) for x, y, t in zip(p, q, z)], []
     for j in range(4):
-        (a, b, c), (d, e, f), (g, h, i) = ([row[m] for m in range(4) if m != j] for row in rows[:3])
+        (a, b, c), (d, e, f), (g, h, i) = (row[:j] + row[j + 1 :] for row in rows[:3])
         found.append((-1) ** j * (a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g)) % PRIME)
     if any(sum(map(int.__mul__, row, found)) % PRIME for row in rows) or not (unit := found[2] or found[3]):
         return None
-    if None in (small := [fraction(x * inverse(unit) % PRIME) for x in found]):
+    if None in (small := [fraction(x * inverse(unit)) for x in found]):
         return None
+    a, b, c, d = small
     ends = []
     for end, infinity in ((low, -1), (high, 1)):
-        k, l = (u + v * end if end is not None else v * infinity if small[1] or small[3] else u for u, v in (small[:2], small[2:]))
-        ends.append((k, l))
-    if ends[0][1] * ends[1][1] <= 0:
-        return None
-    return tuple(sorted(Fraction(k) / l for k, l in ends))
+        finite = end is not None or not (b or d)
+        ends.append((a + b * (end or 0), c + d * (end or 0)) if finite else (b * infinity, d * infinity))
+    (a, c), (b, d) = ends
+    return sorted((Fraction(a) / c, Fraction(b) / d)) if c * d > 0 else None
 
 
 class Parts:
-    """The parts of a result on a way, up to factors."""
+    """The parts of a result on a way: what is loaded on them, and what they may carry for each unit of the bound."""
 
     def __init__(self, way: Way, result: int):
-        self.way, self.known, self.uses = way, defaultdict(list), defaultdict(list)
-        self.left, self.room = defaultdict(Fraction), defaultdict(Fraction)
-        result = way.resolved(result)
-        self.uses[result].append((1,) * POINTS)
+        self.way, self.forms, self.firsts = way, {}, defaultdict(list)
+        self.load, self.room, uses = defaultdict(Fraction), defaultdict(Fraction), defaultdict(list)
+        uses[result := way.resolved(result)].append([1] * len(POINTS))
         for n in reversed(way.needed([result])):
-            by = self.derivative(n, 0)
-            for k, m in enumerate(way.operands(n)):
-                slope = times(by, [d[k] for d in way.slopes[n]])
-                self.uses[m] += [slope] * any(slope)
-            for factor, atom in self.atom(times(way.value[n], by)):
-                self.left[atom] += way.rho(n) * abs(factor)
+            total = [sum(at_point) % PRIME for at_point in zip(*uses[n])] or [0] * len(POINTS)
+            self.forms[n] = [total, *uses[n]]
+            for k, x in enumerate(way.operands(n)):
+                if any(use := times(total, [slopes[k] for slopes in way.slopes[n]])):
+                    uses[x].append(use)
+            for factor, atom in self.atom(self.part(n, 0, 0)):
+                self.load[atom] += way.roundings(n) * abs(factor)
                 self.room[atom] += abs(factor) * ((way.ops[n][0] == "input") + (n == result))
 
-    def derivative(self, n: int, form: int) -> tuple:
-        """With respect to a number, or to one of its uses."""
-        demand(0 <= form <= len(self.uses[n]), f"{n} has no derivative {form}")
-        return self.uses[n][form - 1] if form else tuple(sum(use) % PRIME for use in zip(*self.uses[n])) or (0,) * POINTS
+    def part(self, n: int, form: int, place: int) -> tuple:
+        """A number times the derivative with respect to it; or of an operand, as far as this operation uses it."""
+        demand(min(n, form, place) >= 0 and form < len(self.forms[n]), f"{n} has no derivative {form}")
+        if place == 0:
+            return times(self.way.value[n], self.forms[n][form])
+        slope = [slopes[place - 1] for slopes in self.way.slopes[n]]
+        return times(self.way.value[self.way.operands(n)[place - 1]], self.forms[n][form], slope)
 
-    def atom(self, part: tuple) -> list[tuple]:
-        """A factor and what it is a multiple of; nothing if the part is 0."""
+    def atom(self, part: tuple) -> list:
+        """A factor, and what the part is a multiple of; nothing if the part is 0."""
         if not part[0]:
             return []
-        per_first = inverse(part[0])
-        known = self.known[times(part[1:], [per_first] * POINTS)]
-        for first in known:
-            if (factor := fraction(part[0] * inverse(first) % PRIME)) is not None:
-                return [(factor, first)]
-        known.append(part[0])
-        return [(Fraction(1), part[0])]
+        direction = times(part, [inverse(part[0])] * len(POINTS))
+        for first in self.firsts[direction]:
+            if (factor := fraction(part[0] * inverse(first))) is not None:
+                return [(factor, (direction, first))]
+        self.firsts[direction].append(part[0])
+        return [(Fraction(1), (direction, part[0]))]
 
-    def equation(self, n: int, form: int | None) -> list[tuple]:
-        """The parts of an operation, those of the result with the opposite sign first, which add up to 0."""
-        way, by = self.way, self.derivative(n, form or 0)
-        whole = times(way.value[n], [-x for x in by])
-        if form is None:
-            return [whole] + [times(way.value[n], use) for use in self.uses[n]]
-        demand(way.ops[n][0] in FIRST, f"{n} is no sum")
-        x = way.operands(n)
-        return [whole] + [times(times(by, [d[k] for d in way.slopes[n]]), way.value[x[k]]) for k in FIRST[way.ops[n][0]] if k < len(x)]
-
-    def use(self, rule: str, n: int, *places, amount: Fraction) -> None:
-        """Moves what a rule moves."""
-        way, (factors, right) = self.way, (defaultdict(Fraction), [])
-        if rule == "angle":
-            demand(way.ops[n][0] == "angle", f"{n} is no angle")
-            by = self.derivative(n, 0)
-            left = self.atom(times(times(by, [d[0] for d in way.slopes[n]]), way.value[way.operands(n)[0]]))
-            right = self.atom(times(way.value[n], by))
+    def use(self, rule: str, amount: Fraction, *what) -> None:
+        """Moves the load that a step moves."""
+        left, right = defaultdict(Fraction), defaultdict(Fraction)
+        if rule == "sum":
+            terms = [(Fraction(factor), self.part(*part)) for factor, *part in what]
+            demand(not any(sum(modular(factor) * part[k] for factor, part in terms) % PRIME for k in POINTS), "no sum of 0")
+            for factor, part in terms:
+                for ratio, atom in self.atom(part):
+                    right[atom] += factor * ratio
+            left = {atom: right.pop(atom) for _, atom in self.atom(terms[0][1])}
+        elif rule == "parts":
+            demand(self.way.agree(what[0]), f"{what[0]} may cancel")
+            for k in range(len(self.way.operands(what[0]))):
+                for factor, atom in self.atom(self.part(*what, k + 1)):
+                    left[atom] += abs(factor)
+            right |= {atom: factor for factor, atom in self.atom(self.part(*what, 0))}
         else:
-            parts = self.equation(n, None if rule == "uses" else places[0])
-            terms = [self.atom(part) for part in parts]
-            if rule in ("uses", "sum"):
-                for factor, atom in sum(terms, []):
-                    factors[atom] += factor
-                atom = terms[places[-1]][0][1]
-                left, right = [(factors.pop(atom), atom)], [(factor, atom) for atom, factor in factors.items()]
-            elif rule == "parts":
-                signs = way.terms(n)
-                demand(way.ops[n][0] == "norm" or signs and signs[0] & signs[1], f"{n} may cancel")
-                left, right = sum(terms[1:], []), terms[0]
-            else:
-                _, k, other, by = places
-                ratios = [between(parts[k], parts[other], it) for it in self.way.bounded if it[3] == by]
-                most = [max(high, -low) for low, high in filter(None, ratios)]
-                demand(rule == "range" and most, f"the bounds of {by} say nothing of {n}")
-                left, right = terms[k], [(min(most) * f, atom) for f, atom in terms[other]]
-        for factor, atom in left:
-            self.left[atom] -= abs(factor) * amount
-        for factor, atom in right:
-            self.left[atom] += abs(factor) * amount
+            demand(rule == "range", f"no rule is called {rule}")
+            first, second = (self.part(*part) for part in what[:2])
+            ratios = [between(first, second, *bounds) for *bounds, by in self.way.bounded if by == what[2]]
+            demand(ratios := [max(high, -low) for low, high in filter(None, ratios)], f"the bounds of {what[2]} say nothing of this ratio")
+            left = {atom: factor for factor, atom in self.atom(first)}
+            right |= {atom: factor * min(ratios) for factor, atom in self.atom(second)}
+        for atoms, direction in ((left, -1), (right, 1)):
+            for atom, factor in atoms.items():
+                self.load[atom] += direction * amount * abs(factor)
 
     def bound(self) -> Fraction:
-        demand(all(self.room[atom] for atom, left in self.left.items() if left > 0), "something is left that no input carries")
-        return max((left / self.room[atom] for atom, left in self.left.items() if left > 0), default=Fraction(0))
+        rest = {atom: load for atom, load in self.load.items() if load > 0}
+        demand(all(self.room[atom] for atom in rest), "something is left that no input carries")
+        return max((load / self.room[atom] for atom, load in rest.items()), default=Fraction(0))
 
 
-def check(certificates: str, graph: bytes) -> tuple[int, int]:
+def check(certificates: str, graph: bytes) -> tuple:
     """The numbers of certificates and of open results in a file; Refused if one does not hold."""
     head, *lines = map(json.loads, certificates.splitlines())
     demand(head["graph"] == hashlib.sha256(graph).hexdigest(), "it is about another graph")
@@ -350,10 +336,15 @@ def check(certificates: str, graph: bytes) -> tuple[int, int]:
         way = Way(ops, dict(answers), [line["result"] for line in of])
         for line in of:
             parts = Parts(way, line["result"])
-            for *step, amount in line["steps"]:
-                demand(Fraction(amount) >= 0, "a negative amount")
-                parts.use(*step, amount=Fraction(amount))
+            for rule, amount, *what in line["steps"]:
+                demand((amount := Fraction(amount)) >= 0, "a negative amount")
+                parts.use(rule, amount, *what)
             demand(parts.bound() <= Fraction(line["bound"]), f"{line['result']}: {parts.bound()} is proved, not {line['bound']}")
+    for name, results in (("value", value[1:]), ("jacobian", jacobian[1:])):
+        of = [by_result[result] for result in results]
+        bounds = [max(Fraction(line["bound"]) for line in lines) for lines in of if "open" not in lines[0]]
+        said = (sum(map(bool, bounds)), Fraction(max(bounds, default=0)), len(of) - bounds.count(0))
+        demand(said == (head[name]["proved"], Fraction(head[name]["bound"]), head[name]["entries"]), f"the head says else of the {name}")
     return sum("steps" in line for line in lines), sum("open" in line for line in lines)
 
 
@@ -362,9 +353,9 @@ def main(graphs: Path, bounds: Path) -> int:
     for file in files:
         try:
             proved += check(file.read_text(), (graphs / file.name).read_bytes())[0]
-        except (Refused, KeyError, IndexError, TypeError, ValueError, OSError) as error:
+        except (Refused, LookupError, TypeError, ValueError, ArithmeticError, OSError) as error:
             failed += 1
-            print(f"{file.stem}: {error}")
+            print(f"{file.stem}: {error!r}")
     print(f"{len(files)} formulas, {proved} certificates add up, {failed} formulas off")
     return 1 if failed or not files else 0
 

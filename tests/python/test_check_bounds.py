@@ -28,15 +28,23 @@ def real(k: int) -> list:
     return ["input", k, None, None]
 
 
+def of_sum(amount: str, n: int, *places: int) -> list:
+    """The step that bounds the first of these parts of a sum of two by the others."""
+    return ["sum", amount, *(["-1" if place == 0 else "1", n, 0, place] for place in places)]
+
+
 def outcome(ops: list[list], *certificates: dict) -> str:
     """What is refused of certificates for the last operation of a graph; nothing if they hold."""
     result = len(ops) - 1
     graph = "".join(json.dumps(line) + "\n" for line in [*ops, ["value", result], ["jacobian"]])
-    head = {"formula": "planted", "graph": hashlib.sha256(graph.encode()).hexdigest()}
+    bounds = [Fraction(certificate["bound"]) for certificate in certificates]
+    value = {"entries": 1, "proved": 1, "bound": str(max(bounds))}
+    jacobian = {"entries": 0, "proved": 0, "bound": "0"}
+    head = {"formula": "planted", "graph": hashlib.sha256(graph.encode()).hexdigest(), "value": value, "jacobian": jacobian}
     lines = [head] + [{"result": result, "way": [], **certificate} for certificate in certificates]
     try:
         check("\n".join(map(json.dumps, lines)), graph.encode())
-    except Refused as refused:
+    except (Refused, LookupError) as refused:
         return str(refused)
     return ""
 
@@ -50,7 +58,7 @@ class Planted(unittest.TestCase):
     def test_a_sum_of_two_products_has_bound_one(self):
         # Half of the load of the result goes to each input, as do the loads of the products.
         self.assertEqual(outcome(self.DOT, {"bound": "1", "steps": []}), "")
-        half = {"bound": "3/4", "steps": [["sum", 6, 0, 0, "1/2"]]}
+        half = {"bound": "3/4", "steps": [of_sum("1/2", 6, 0, 1, 2)]}
         self.assertEqual(outcome(self.DOT, half), "")
         self.assertIn("3/4 is proved", outcome(self.DOT, {**half, "bound": "2/3"}))
 
@@ -70,16 +78,16 @@ class Planted(unittest.TestCase):
         # x + 0.1: the rounding of the constant moves on to x and to the sum.
         ops = [real(0), number(0.1), ["add", 0, 1]]
         self.assertIn("no input carries", outcome(ops, {"bound": "9", "steps": []}))
-        moved = {"bound": "2", "steps": [["sum", 2, 0, 2, "1"]]}
+        moved = {"bound": "2", "steps": [of_sum("1", 2, 2, 0, 1)]}
         self.assertEqual(outcome(ops, moved), "")
 
     def test_what_cancels_has_no_parts_below_it(self):
         # (a + b) − b: nothing bounds the rounding of the first sum.
         ops = [real(0), real(1), ["add", 0, 1], ["subtract", 2, 1]]
         self.assertIn("no input carries", outcome(ops, {"bound": "99", "steps": []}))
-        self.assertIn("may cancel", outcome(ops, {"bound": "99", "steps": [["parts", 2, 0, "1"]]}))
+        self.assertIn("may cancel", outcome(ops, {"bound": "99", "steps": [["parts", "1", 2, 0]]}))
         squares = [real(0), real(1), ["multiply", 0, 0], ["multiply", 1, 1], ["add", 2, 3]]
-        self.assertEqual(outcome(squares, {"bound": "2", "steps": [["parts", 4, 0, "1"]]}), "")
+        self.assertEqual(outcome(squares, {"bound": "2", "steps": [["parts", "1", 4, 0]]}), "")
 
     def test_every_way_needs_its_certificate_and_no_other(self):
         # a + b where a < b, else a − b.
@@ -97,20 +105,44 @@ class Planted(unittest.TestCase):
         ops = [["input", 0, 0.0, None], ["input", 1, 0.0, None], ["less", 0, 1], ["add", 0, 1], ["divide", 0, 3], number(1.0),
                ["subtract", 5, 4], ["select", 2, 6, 4]]  # fmt: skip
         other = {"way": [[2, False]], "bound": "2", "steps": []}
-        way = {"way": [[2, True]], "bound": "3", "steps": [["range", 6, 0, 2, 0, 2, "2"]]}
+        way = {"way": [[2, True]], "bound": "3", "steps": [["range", "2", [6, 0, 2], [6, 0, 0], 2]]}
         self.assertEqual(outcome(ops, way, other), "")
         # Not the other way round, and nothing where the comparison says the opposite.
-        self.assertIn("say nothing", outcome(ops, {**way, "steps": [["range", 6, 0, 0, 2, 3, "2"]]}, other))
+        self.assertIn("say nothing", outcome(ops, {**way, "steps": [["range", "2", [6, 0, 0], [6, 0, 2], 3]]}, other))
         self.assertIn("left", outcome(ops, {**way, "steps": []}, other))
-        more = {"way": [[2, False]], "bound": "2", "steps": [["range", 3, 0, 1, 2, 2, "1"]]}
+        more = {"way": [[2, False]], "bound": "2", "steps": [["range", "1", [3, 0, 1], [3, 0, 2], 2]]}
         self.assertIn("say nothing", outcome(ops, way, more))
+
+    def test_a_sum_that_does_not_vanish_is_refused(self):
+        for terms in (["1", 6, 0, 1], ["2", 6, 0, 2], ["1", 6, 0, 3], ["1", 6, 5, 2], ["1", 6, -1, 2]):
+            steps = [["sum", "1/2", ["-1", 6, 0, 0], ["1", 6, 0, 1], terms]]
+            self.assertTrue(outcome(self.DOT, {"bound": "1", "steps": steps}), terms)
+
+    def test_an_equation_may_follow_from_two(self):
+        # x (a - b) + x b is x a in exact numbers: what is used twice is eliminated.
+        ops = [real(0), real(1), real(2), ["subtract", 1, 2], ["multiply", 0, 3], ["multiply", 0, 2], ["add", 4, 5]]
+        steps = [["sum", "1", ["1", 4, 0, 0], ["1", 5, 0, 0], ["-1", 6, 0, 0]]]
+        self.assertIn("no input carries", outcome(ops, {"bound": "99", "steps": steps}))
+
+    def test_the_head_says_what_is_proved(self):
+        graph = "".join(json.dumps(line) + "\n" for line in [*self.DOT, ["value", 6], ["jacobian"]])
+        head = {"formula": "planted", "graph": hashlib.sha256(graph.encode()).hexdigest()}
+        summary = {"entries": 1, "proved": 1, "bound": "1"}
+        nothing = {"entries": 0, "proved": 0, "bound": "0"}
+        line = json.dumps({"result": 6, "way": [], "bound": "1", "steps": []})
+        for value, holds in ((summary, True), ({**summary, "bound": "1/2"}, False), ({**summary, "proved": 0}, False)):
+            text = json.dumps({**head, "value": value, "jacobian": nothing}) + "\n" + line
+            if holds:
+                check(text, graph.encode())
+            else:
+                self.assertRaises(Refused, check, text, graph.encode())
 
     def test_an_input_within_bounds_bounds_a_ratio(self):
         # x (g + 1/2) where g is from -1/4 to 1/4, computed as x g + x / 2; then x g is no larger than the result.
         ops = [real(0), ["input", 1, -0.25, 0.25], ["multiply", 0, 1], number(0.5), ["multiply", 0, 3], ["add", 2, 4]]
-        self.assertEqual(outcome(ops, {"bound": "1", "steps": [["range", 5, 0, 1, 0, 1, "1"]]}), "")
+        self.assertEqual(outcome(ops, {"bound": "1", "steps": [["range", "1", [5, 0, 1], [5, 0, 0], 1]]}), "")
         wider = [real(0), ["input", 1, -0.5, 0.25], *ops[2:]]
-        self.assertIn("say nothing", outcome(wider, {"bound": "1", "steps": [["range", 5, 0, 1, 0, 1, "1"]]}))
+        self.assertIn("say nothing", outcome(wider, {"bound": "1", "steps": [["range", "1", [5, 0, 1], [5, 0, 0], 1]]}))
 
 
 @unittest.skipUnless(GRAPHS.is_dir(), "no graphs: cargo xtask prove --graphs target/graphs")
@@ -147,7 +179,7 @@ class Tampered(unittest.TestCase):
 
         def halved(rng, lines, k):
             step = rng.choice(lines[k]["steps"])
-            step[-1] = str(Fraction(step[-1]) / 2)
+            step[1] = str(Fraction(step[1]) / 2)
 
         for fault in (dropped, halved):
             verdicts = self.judged(fault)
@@ -156,7 +188,7 @@ class Tampered(unittest.TestCase):
     def test_another_rule_a_negative_amount_and_a_missing_result_are_refused(self):
         def turned(rng, lines, k):
             step = rng.choice(lines[k]["steps"])
-            step[-1] = str(-Fraction(step[-1]))
+            step[1] = str(-Fraction(step[1]))
 
         def missing(_, lines, k):
             lines.pop(k)
@@ -169,12 +201,12 @@ class Tampered(unittest.TestCase):
             pass
 
         for name in ("multiply", "add"):
-            rounded = dict(check_bounds.RHO)
+            rounded = dict(check_bounds.ROUNDINGS)
             try:
-                check_bounds.RHO[name] = Fraction(11, 10)
+                check_bounds.ROUNDINGS[name] = Fraction(11, 10)
                 self.assertGreater(self.judged(nothing)["refused"], 0, name)
             finally:
-                check_bounds.RHO.update(rounded)
+                check_bounds.ROUNDINGS.update(rounded)
 
 
 if __name__ == "__main__":

@@ -9,7 +9,7 @@ use kit::{Extras, Project};
 
 /// All generated content.
 pub(crate) fn all(project: &Project) -> anyhow::Result<Extras> {
-    let audit = ("audit".to_owned(), audited::text(&[worked_example::run()], Audit::passed)?);
+    let audit = ("audit".to_owned(), audited::text(&[worked_example::run()], Audit::passed, &|_| None)?);
     Ok(Extras {
         figures: [figures::all(), scene::figures(project)?].concat(),
         moving: figures::moving(),

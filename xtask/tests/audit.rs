@@ -212,7 +212,7 @@ fn a_change_is_audited_where_it_reaches() {
 #[test]
 fn an_attack_shows_points_that_can_be_audited() {
     let ran = Bench::new().run(&["audit", "--filter", ID, "--attack", "1", "--evaluations", "30000"]).quiet();
-    let ran = ran.prints("possible    found    bound").prints("1 formula, ").prints(", 0 formulas refuted");
+    let ran = ran.prints("possible    found    bound   proved").prints("1 formula, ").prints(", 0 formulas refuted");
     let points: Vec<_> = ran.stdout.lines().filter_map(|line| line.trim().strip_prefix("--point ")).collect();
     assert_eq!(points.len(), 2, "{}", ran.stdout);
     for (point, claim) in points.into_iter().zip(["η of the value in f64: ", "η of the closed-form Jacobian in f64: "])

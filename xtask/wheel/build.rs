@@ -1,4 +1,5 @@
-//! Writes the table of batches: the types of the catalog, in its order, so that batches are compiled with this crate.
+//! Writes the table of batches: the types of the catalog, in its order, so that batches are compiled with this crate; and the first
+//! lines of the files of certificates, which say what is proved.
 
 use std::path::Path;
 use std::{env, fs, io};
@@ -20,7 +21,20 @@ fn main() -> io::Result<()> {
     };
     let batches: io::Result<String> = types.map(batch).collect();
     let folder = env::var_os("OUT_DIR").ok_or_else(|| io::Error::other("cargo sets OUT_DIR"))?;
-    fs::write(Path::new(&folder).join("batches.rs"), format!("&[\n{}]\n", batches?))
+    let folder = Path::new(&folder);
+    fs::write(folder.join("batches.rs"), format!("&[\n{}]\n", batches?))?;
+    fs::write(folder.join("proved.jsonl"), first_lines("../../golden/bounds")?)
+}
+
+/// The first line of every file of a folder, in order.
+fn first_lines(folder: &str) -> io::Result<String> {
+    println!("cargo::rerun-if-changed={folder}");
+    let mut files = fs::read_dir(folder)?.map(|file| Ok(file?.path())).collect::<io::Result<Vec<_>>>()?;
+    files.sort();
+    files
+        .iter()
+        .map(|file| Ok(fs::read_to_string(file)?.lines().next().unwrap_or_default().to_owned() + "\n"))
+        .collect()
 }
 
 /// What stands in front of a module that this import brings in: `connector::` of `slot` in `connector::{join, slot}`.

@@ -46,9 +46,9 @@ impl Formula for BetaTwoArgument {
         ),
     )
         .equation(r"\beta = \operatorname{atan2}\!\left(\mathbf{e}_{1a}\cdot\mathbf{e}_{3b},\ \sqrt{(\mathbf{e}_{1a}\cdot\mathbf{e}_{1b})^2 + (\mathbf{e}_{1a}\cdot\mathbf{e}_{2b})^2}\right)")
-        // The largest η that `audit --attack` found is 1.55 for the value, and 3.33 is possible to first order; for the Jacobian 3.52
-        // and 10.4.
-        .eta(4.0, 8.0)
+        // The largest η that `audit --attack` found is 2.08 for the value, and 3.33 is possible to first order; for the Jacobian 5.24
+        // and 10.6.
+        .eta(4.0, 11.0)
         .scale(1e250)
         .finite(Finite::Between);
     type Inputs<T: Component> = BetaAxes<T>;

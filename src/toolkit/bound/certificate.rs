@@ -1,12 +1,12 @@
 //! Certificates: found with the help of a linear programme, checked without.
 
 use super::field::{Rational, to_f64};
-use super::parts::{Atom, Obstacle, Parts, Place, Rule, obstacle};
+use super::parts::{Atom, Inequality, Obstacle, Parts, Rule};
 use super::way::{Answers, MOST_WAYS, Way, are_all, ways};
 use crate::formula::Field;
 use crate::toolkit::graph::{Graph, Node, bounds};
 use num_traits::{CheckedAdd, CheckedDiv, CheckedMul, Signed, Zero};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 /// Amounts are rounded to fractions that are as near.
 const NEAR: f64 = 1e-7;
@@ -61,19 +61,21 @@ fn prove_on(
     answers: Answers,
     solve: &impl Fn(&Programme) -> Option<Vec<f64>>,
 ) -> Result<Certificate, String> {
-    let parts = parts(graph, inputs, result, &answers, None)?;
-    if let Some(obstacle) = obstacle(&parts) {
-        return Err(said(graph, &obstacle));
-    }
+    let way = way(graph, &answers, result)?;
+    let mut parts = parts(&way, inputs)?;
     let is_first_order = parts.is_first_order;
     let mut steps = Vec::new();
     if !parts.load.is_empty() {
-        let amounts = solve(&programme(&parts)).ok_or("the linear programme has no solution")?;
-        let used = parts.rules.keys().zip(amounts).filter(|&(_, amount)| amount > NOTHING);
-        steps.extend(used.map(|(&rule, amount)| (rule, fraction(amount))));
+        let rules = parts.rules();
+        if let Some(obstacle) = parts.obstacle(&rules) {
+            return Err(said(graph, &obstacle));
+        }
+        let amounts = solve(&programme(&parts, &rules)).ok_or("the linear programme has no solution")?;
+        let used = rules.into_keys().zip(amounts).filter(|&(_, amount)| amount > NOTHING);
+        steps.extend(used.map(|(rule, amount)| (rule, fraction(amount))));
     }
     let bound =
-        added_up(&parts, &steps).map_err(|error| format!("rounding the linear programme's solution: {error}"))?;
+        added_up(&mut parts, &steps).map_err(|error| format!("rounding the linear programme's solution: {error}"))?;
     Ok(Certificate { way: answers, bound, is_first_order, steps })
 }
 
@@ -90,9 +92,9 @@ pub fn check(graph: &Graph, inputs: &[Field], result: Node, certificates: &[Cert
         if certificate.way.keys().any(|node| node.index() >= graph.ops().len()) {
             return Err("its way names an operation that is not there".into());
         }
-        let wanted = certificate.steps.iter().map(|(rule, _)| rule.place()).collect();
-        let parts = parts(graph, inputs, result, &certificate.way, Some(&wanted))?;
-        let needed = added_up(&parts, &certificate.steps)?;
+        let way = way(graph, &certificate.way, result)?;
+        let mut parts = parts(&way, inputs)?;
+        let needed = added_up(&mut parts, &certificate.steps)?;
         if needed > certificate.bound {
             return Err(format!("its steps prove {needed}, not {}", certificate.bound));
         }
@@ -103,17 +105,14 @@ pub fn check(graph: &Graph, inputs: &[Field], result: Node, certificates: &[Cert
     Ok(())
 }
 
-fn parts(
-    graph: &Graph,
-    inputs: &[Field],
-    result: Node,
-    answers: &Answers,
-    wanted: Option<&BTreeSet<Place>>,
-) -> Result<Parts, String> {
+fn way<'a>(graph: &'a Graph, answers: &'a Answers, result: Node) -> Result<Way<'a>, String> {
+    Way::new(graph, answers, result)
+        .map_err(|open| format!("the way does not say how comparison {} comes out", open.index()))
+}
+
+fn parts<'a>(way: &'a Way<'a>, inputs: &[Field]) -> Result<Parts<'a>, String> {
     let bounds: Vec<_> = inputs.iter().flat_map(|field| vec![bounds(field.quantity.domain); field.len()]).collect();
-    let way = Way::new(graph, answers, result)
-        .map_err(|open| format!("the way does not say how comparison {} comes out", open.index()))?;
-    Parts::new(&way, &bounds, wanted).map_err(|obstacle| said(graph, &obstacle))
+    Parts::new(way, &bounds).map_err(|obstacle| said(way.graph, &obstacle))
 }
 
 /// The obstacle in words.
@@ -128,12 +127,12 @@ fn said(graph: &Graph, obstacle: &Obstacle) -> String {
     }
 }
 
-fn programme(parts: &Parts) -> Programme {
+fn programme(parts: &Parts, rules: &BTreeMap<Rule, Inequality>) -> Programme {
     let double = |x: &Rational| to_f64(*x);
     let mut programme = Programme { load: vec![0.0; parts.count()], room: vec![0.0; parts.count()], rules: Vec::new() };
     parts.load.iter().for_each(|(&atom, (load, _))| programme.load[atom] = double(load));
     parts.room.iter().for_each(|(&atom, room)| programme.room[atom] = double(room));
-    programme.rules.extend(parts.rules.values().map(|rule| {
+    programme.rules.extend(rules.values().map(|rule| {
         let mut adds: BTreeMap<Atom, f64> = BTreeMap::new();
         rule.left.iter().for_each(|(factor, atom)| *adds.entry(*atom).or_default() -= double(factor));
         rule.right.iter().for_each(|(factor, atom)| *adds.entry(*atom).or_default() += double(factor));
@@ -143,11 +142,11 @@ fn programme(parts: &Parts) -> Programme {
 }
 
 /// The bound that these steps prove.
-fn added_up(parts: &Parts, steps: &[(Rule, Rational)]) -> Result<Rational, String> {
+fn added_up(parts: &mut Parts, steps: &[(Rule, Rational)]) -> Result<Rational, String> {
     let mut carried: BTreeMap<Atom, Rational> = parts.load.iter().map(|(&atom, &(load, _))| (atom, load)).collect();
     let too_large = || "a sum of its amounts has too many digits".to_owned();
     for (name, amount) in steps {
-        let rule = parts.rules.get(name).ok_or_else(|| format!("there is no rule {name:?}"))?;
+        let rule = parts.inequality(name)?;
         if amount.is_negative() {
             return Err(format!("the amount of {name:?} is negative: {amount}"));
         }
@@ -191,6 +190,7 @@ fn fraction(x: f64) -> Rational {
 
 #[cfg(test)]
 mod tests {
+    use super::super::parts::Part;
     use super::*;
     use crate::formula::quantity::{F1, F2};
     use crate::toolkit::graph::{Binary, Op, Relation};
@@ -206,7 +206,7 @@ mod tests {
 
     /// The bound that no steps prove, on the only way.
     fn without_steps(graph: &Graph, result: Node) -> Result<Rational, String> {
-        added_up(&parts(graph, &INPUTS, result, &Answers::new(), None)?, &[])
+        added_up(&mut parts(&way(graph, &Answers::new(), result)?, &INPUTS)?, &[])
     }
 
     fn certificate(way: &[(Node, bool)], bound: i128, steps: Vec<(Rule, Rational)>) -> Certificate {
@@ -249,8 +249,10 @@ mod tests {
         let (mut graph, [a, b]) = graph();
         let tenth = graph.number(0.1);
         let sum = graph.binary(Binary::Add, a, tenth);
-        let steps = vec![(Rule::Sum(sum, 0, 2), Rational::from(1))];
+        let steps = vec![(Rule::Sum(terms), Rational::from(1))];
         assert!(without_steps(&graph, sum).is_err_and(|why| why.contains("none of inputs and result")));
+        let part = |factor: i128, place: usize| (Rational::from(factor), Part(sum, 0, place));
+        let terms = vec![part(1, 2), part(1, 1), part(-1, 0)];
         assert_eq!(check(&graph, &INPUTS, sum, &[certificate(&[], 2, steps)]), Ok(()));
         let longer = graph.binary(Binary::Add, a, b);
         let back = graph.binary(Binary::Subtract, longer, b);

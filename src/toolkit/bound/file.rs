@@ -1,8 +1,9 @@
 //! The file of the certificates of a formula: a line in JSON for the graph, and one for each result and way.
 
 use super::certificate::{Certificate, Programme, check, prove};
-use super::field::{Rational, to_f64};
-use super::parts::Rule;
+use super::field::Rational;
+use super::parts::{Part, Rule};
+use super::summary::Summary;
 use super::way::Answers;
 use crate::formula::Field;
 use crate::toolkit::graph::{Graph, Node};
@@ -11,17 +12,24 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 
-/// A line of the file.
+/// The first line of the file: what it is about, and what the others prove.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Head {
+    /// The identifier of the formula.
+    pub formula: String,
+    /// The SHA-256 of the [text](Graph::text) of its graph, in hexadecimal digits.
+    pub graph: String,
+    /// What is proved of the value.
+    pub value: Summary,
+    /// What is proved of the Jacobian.
+    pub jacobian: Summary,
+}
+
+/// Each other line of the file.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(untagged, deny_unknown_fields)]
 pub enum Line {
-    /// The first line: the formula, and the SHA-256 of the [text](Graph::text) of its graph.
-    Graph {
-        /// The identifier.
-        formula: String,
-        /// The digest in hexadecimal digits.
-        graph: String,
-    },
     /// A bound that is proved on one way.
     Proved {
         /// The operation whose result it is.
@@ -33,7 +41,7 @@ pub enum Line {
         /// Whether only the first order is proved, since a difference of rounded numbers is squared, is a divisor or an argument.
         #[serde(default, skip_serializing_if = "std::ops::Not::not")]
         first_order_only: bool,
-        /// The rules, each with its operation, the places that it names, and its amount.
+        /// The rules, each with its amount and with the parts that it names: operation, derivative and place.
         steps: Vec<Vec<Value>>,
     },
     /// A result without proof, and why.
@@ -52,19 +60,6 @@ pub struct Proof {
     pub results: BTreeMap<Node, Result<Vec<Certificate>, String>>,
 }
 
-/// What is proved of value or Jacobian.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Summary {
-    /// The largest proved bound of η of an entry.
-    pub bound: Rational,
-    /// The number of entries that rounding can change at all.
-    pub entries: usize,
-    /// The entries that are not proved, by position, and why.
-    pub open: Vec<(usize, String)>,
-    /// Whether of some proved entry only the first order is.
-    pub first_order_only: bool,
-}
-
 impl Proof {
     /// Proves what can be; `solve` solves the linear programmes.
     pub fn of(graph: &Graph, inputs: &[Field], solve: impl Fn(&Programme) -> Option<Vec<f64>>) -> Self {
@@ -73,8 +68,10 @@ impl Proof {
     }
 
     /// The file.
-    pub fn render(&self, formula: &str, digest: &str) -> String {
-        let mut lines = vec![Line::Graph { formula: formula.into(), graph: digest.into() }];
+    pub fn render(&self, graph: &Graph, formula: &str, digest: &str) -> String {
+        let [value, jacobian] = self.summaries(graph);
+        let head = Head { formula: formula.into(), graph: digest.into(), value, jacobian };
+        let mut lines = Vec::new();
         for (node, proved) in &self.results {
             let result = number(*node);
             match proved {
@@ -83,32 +80,28 @@ impl Proof {
                     way: certificate.way.iter().map(|(node, answer)| (number(*node), *answer)).collect(),
                     bound: certificate.bound.to_string(),
                     first_order_only: !certificate.is_first_order,
-                    steps: certificate.steps.iter().map(|(rule, amount)| written(*rule, *amount)).collect(),
+                    steps: certificate.steps.iter().map(|(rule, amount)| written(rule, *amount)).collect(),
                 })),
                 Err(why) => lines.push(Line::Open { result, open: why.clone() }),
             }
         }
         let line = |line: &Line| serde_json::to_string(line).unwrap_or_default() + "\n";
-        lines.iter().map(line).collect()
+        serde_json::to_string(&head).unwrap_or_default() + "\n" + &lines.iter().map(line).collect::<String>()
     }
 
-    /// Reads the file.
+    /// Reads the file about a formula with this graph.
     ///
     /// # Errors
     /// What is wrong with which line; or that it is about another formula or graph.
-    pub fn parse(text: &str, formula: &str, digest: &str) -> Result<Self, String> {
+    pub fn parse(text: &str, graph: &Graph, formula: &str, digest: &str) -> Result<Self, String> {
         let mut results: BTreeMap<Node, Result<Vec<Certificate>, String>> = BTreeMap::new();
-        let mut is_tied = false;
-        for (k, text) in text.lines().enumerate() {
+        let head = Head::parse(text)?;
+        if head.formula != formula || head.graph != digest {
+            return Err(format!("line 1: it is about another graph of {}: {}, not {digest}", head.formula, head.graph));
+        }
+        for (k, text) in text.lines().enumerate().skip(1) {
             let wrong = |why: &str| format!("line {}: {why}", k + 1);
             match serde_json::from_str(text).map_err(|error| wrong(&error.to_string()))? {
-                Line::Graph { formula: found, graph } if k == 0 => {
-                    if found != formula || graph != digest {
-                        return Err(wrong(&format!("it is about another graph of {found}: {graph}, not {digest}")));
-                    }
-                    is_tied = true;
-                }
-                Line::Graph { .. } => return Err(wrong("a second graph")),
                 Line::Proved { result, way, bound, first_order_only, steps } => {
                     let steps = steps.iter().map(|step| read(step)).collect::<Option<_>>();
                     let certificate = Certificate {
@@ -129,7 +122,11 @@ impl Proof {
                 }
             }
         }
-        if is_tied { Ok(Self { results }) } else { Err("it does not say of which graph it is".into()) }
+        let proof = Self { results };
+        if proof.summaries(graph) != [head.value, head.jacobian] {
+            return Err("line 1: the other lines say something else".into());
+        }
+        Ok(proof)
     }
 
     /// Checks every certificate, and that something is said of every result.
@@ -151,30 +148,41 @@ impl Proof {
         Ok(())
     }
 
-    /// What is proved of these results, those of the value or of the Jacobian.
-    pub fn summary(&self, results: &[Node]) -> Summary {
+    /// What is proved of value and Jacobian.
+    pub fn summaries(&self, graph: &Graph) -> [Summary; 2] {
+        [&graph.value, &graph.jacobian].map(|results| self.summary(results))
+    }
+
+    fn summary(&self, results: &[Node]) -> Summary {
         let mut summary = Summary::default();
-        for (k, node) in results.iter().enumerate() {
+        for node in results {
             match self.results.get(node) {
                 Some(Ok(certificates)) => {
                     let bound = certificates.iter().map(|it| it.bound).max().unwrap_or_default();
-                    summary.entries += usize::from(!bound.is_zero());
+                    summary.proved += usize::from(!bound.is_zero());
                     summary.bound = summary.bound.max(bound);
                     summary.first_order_only |= certificates.iter().any(|it| !it.is_first_order);
                 }
-                Some(Err(why)) => summary.open.push((k, why.clone())),
-                None => summary.open.push((k, "nothing is said of it".into())),
+                open => {
+                    summary.entries += 1;
+                    if summary.why.is_empty() {
+                        summary.why = open.map_or("nothing is said of it".into(), |open| open.clone().unwrap_err());
+                    }
+                }
             }
         }
-        summary.entries += summary.open.len();
+        summary.entries += summary.proved;
         summary
     }
 }
 
-impl Summary {
-    /// The bound as a double, not below it.
-    pub fn bound(&self) -> f64 {
-        if self.bound.is_integer() { to_f64(self.bound) } else { to_f64(self.bound).next_up() }
+impl Head {
+    /// Reads the first line of a file.
+    ///
+    /// # Errors
+    /// What is wrong with it.
+    pub fn parse(text: &str) -> Result<Self, String> {
+        serde_json::from_str(text.lines().next().unwrap_or_default()).map_err(|error| format!("line 1: {error}"))
     }
 }
 
@@ -192,33 +200,45 @@ fn node_of(number: u32) -> Node {
     Node::at(number as usize)
 }
 
-fn written(rule: Rule, amount: Rational) -> Vec<Value> {
-    let mut step = match rule {
-        Rule::Uses(node, part) => vec![json!("uses"), json!(node.index()), json!(part)],
-        Rule::Sum(node, form, part) => vec![json!("sum"), json!(node.index()), json!(form), json!(part)],
-        Rule::Parts(node, form) => vec![json!("parts"), json!(node.index()), json!(form)],
-        Rule::Angle(node) => vec![json!("angle"), json!(node.index())],
-        Rule::Range(node, form, part, other, by) => {
-            vec![json!("range"), json!(node.index()), json!(form), json!(part), json!(other), json!(by.index())]
+fn written(rule: &Rule, amount: Rational) -> Vec<Value> {
+    let part = |Part(node, form, place): &Part| vec![json!(node.index()), json!(form), json!(place)];
+    let mut step = vec![json!(""), json!(amount.to_string())];
+    step[0] = match rule {
+        Rule::Sum(terms) => {
+            let term =
+                |(factor, named): &(Rational, Part)| [vec![json!(factor.to_string())], part(named)].concat().into();
+            step.extend(terms.iter().map(term));
+            json!("sum")
+        }
+        Rule::Parts(node, form) => {
+            step.extend([json!(node.index()), json!(form)]);
+            json!("parts")
+        }
+        Rule::Range(named, other, by) => {
+            step.extend([part(named).into(), part(other).into(), json!(by.index())]);
+            json!("range")
         }
     };
-    step.push(json!(amount.to_string()));
     step
 }
 
 fn read(step: &[Value]) -> Option<(Rule, Rational)> {
-    let (amount, rule) = step.split_last()?;
-    let (name, places) = rule.split_first()?;
+    let [name, amount, rest @ ..] = step else { return None };
     // No graph has more operations than 32 bits count.
-    let place = |place: &Value| place.as_u64().and_then(|place| u32::try_from(place).ok()).map(|place| place as usize);
-    let places: Vec<Option<usize>> = places.iter().map(place).collect();
-    let node = |place: &Option<usize>| place.map(Node::at);
-    let rule = match (name.as_str()?, places.as_slice()) {
-        ("uses", [of, part]) => Rule::Uses(node(of)?, (*part)?),
-        ("sum", [of, form, part]) => Rule::Sum(node(of)?, (*form)?, (*part)?),
-        ("parts", [of, form]) => Rule::Parts(node(of)?, (*form)?),
-        ("angle", [of]) => Rule::Angle(node(of)?),
-        ("range", [of, form, part, other, by]) => Rule::Range(node(of)?, *form, (*part)?, (*other)?, node(by)?),
+    let count = |place: &Value| place.as_u64().and_then(|place| u32::try_from(place).ok()).map(|place| place as usize);
+    let node = |place: &Value| count(place).map(Node::at);
+    let part = |places: &[Value]| match places {
+        [of, form, place] => Some(Part(node(of)?, count(form)?, count(place)?)),
+        _ => None,
+    };
+    let term = |term: &Value| {
+        let (factor, named) = term.as_array()?.split_first()?;
+        Some((factor.as_str()?.parse().ok()?, part(named)?))
+    };
+    let rule = match (name.as_str()?, rest) {
+        ("sum", terms) => Rule::Sum(terms.iter().map(term).collect::<Option<_>>()?),
+        ("parts", [of, form]) => Rule::Parts(node(of)?, count(form)?),
+        ("range", [named, other, by]) => Rule::Range(part(named.as_array()?)?, part(other.as_array()?)?, node(by)?),
         _ => return None,
     };
     Some((rule, amount.as_str()?.parse().ok()?))

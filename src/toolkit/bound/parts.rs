@@ -11,6 +11,9 @@ use std::collections::{BTreeMap, BTreeSet};
 /// Trials of a point at which all roots exist.
 const TRIALS: u64 = 4096;
 
+/// The factors of a sum have so few bits together that no sum is 0 at all points by chance.
+const DIGITS: u32 = 400;
+
 /// Why nothing is proved.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Obstacle {
@@ -29,37 +32,23 @@ pub(super) type Atom = usize;
 /// A multiple of a part.
 pub(super) type Term = (Rational, Atom);
 
-/// The name of a rule: what it follows from, the operation, which derivative the parts have, and which part is bounded.
-///
-/// The parts of an operation are those of its result (0) and of its operands, or of the uses of its result, in order (from 1). The
-/// derivative 0 is that of the final result with respect to the operation; those from 1 are of its uses.
+/// The name of a part: an operation; the derivative, 0 for that of the final result with respect to the number, and from 1 for those with
+/// respect to its uses; and the place, 0 for the result of the operation, and from 1 for its operands, which are weighted by what
+/// they contribute to that derivative.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Part(pub Node, pub usize, pub usize);
+
+/// The name of a rule, which says what it follows from.
+#[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Rule {
-    /// A number's part is the sum of the parts of its uses: one of them is at most the sum of the others.
-    Uses(Node, usize),
-    /// The part of a sum or a norm is the sum of those of its operands: likewise.
-    Sum(Node, usize, usize),
-    /// The same where nothing cancels: the parts of the operands together are at most that of the result.
+    /// These parts, each times its factor, add up to 0: the first is at most the others together. So it is for the result and the
+    /// operands of a sum or a norm, for a number and its uses, and for what follows from several of these equations.
+    Sum(Vec<(Rational, Part)>),
+    /// The parts of the operands of a sum or a norm in which nothing cancels, together, are at most that of the result.
     Parts(Node, usize),
-    /// The part of an operand of an angle is at most that of the angle, since |sin θ cos θ| ≤ |θ|.
-    Angle(Node),
-    /// One part of a sum (or, if the derivative is missing, of uses) is at most so many times another one, since their ratio is a
-    /// quotient of linear functions of a number that has bounds: an input, a number compared with a constant, or the ratio of two numbers
-    /// that are compared.
-    Range(Node, Option<usize>, usize, usize, Node),
-}
-
-/// An operation, and which derivative its parts have; none for those of its uses.
-pub(super) type Place = (Node, Option<usize>);
-
-impl Rule {
-    pub(super) fn place(self) -> Place {
-        match self {
-            Self::Uses(node, _) | Self::Angle(node) => (node, None),
-            Self::Sum(node, form, _) | Self::Parts(node, form) => (node, Some(form)),
-            Self::Range(node, form, ..) => (node, form),
-        }
-    }
+    /// One part is at most so many times another one, since their ratio is a quotient of linear functions of a number that has bounds:
+    /// an input, a number compared with a constant, or the ratio of two numbers that are compared.
+    Range(Part, Part, Node),
 }
 
 /// The left parts together are at most the right ones together.
@@ -70,35 +59,37 @@ pub(super) struct Inequality {
 }
 
 /// The parts of a result on one way.
-#[derive(Default)]
-pub(super) struct Parts {
+pub(super) struct Parts<'a> {
+    way: &'a Way<'a>,
+    values: BTreeMap<Node, Values>,
+    signs: Signs,
+    /// The derivatives of the result: with respect to each number and, if there are several, each of its uses.
+    forms: BTreeMap<Node, Vec<Values>>,
+    /// The operands of each operation, and the derivatives of its result with respect to them.
+    slopes: BTreeMap<Node, Vec<(Node, Values)>>,
+    /// The operands that are the uses of a number.
+    uses: BTreeMap<Node, Vec<Part>>,
     known: FxHashMap<[u64; POINTS - 1], Vec<Atom>>,
-    first: Vec<u64>,
+    /// The first part found of those that are the same up to a factor, and its value at the first point.
+    first: Vec<(Part, u64)>,
     /// What rounding loads parts with, and an operation that does.
     pub(super) load: BTreeMap<Atom, (Rational, Node)>,
     /// What parts may carry for each unit of the bound: those of inputs, and the result.
     pub(super) room: BTreeMap<Atom, Rational>,
-    /// The rules.
-    pub(super) rules: BTreeMap<Rule, Inequality>,
     /// Whether more than the first order counts.
     pub(super) is_first_order: bool,
 }
 
-impl Parts {
-    /// All parts, and the rules of these places, or all rules.
-    pub(super) fn new(
-        way: &Way,
-        bounds: &[[Option<f64>; 2]],
-        wanted: Option<&BTreeSet<Place>>,
-    ) -> Result<Self, Obstacle> {
+impl<'a> Parts<'a> {
+    pub(super) fn new(way: &'a Way<'a>, bounds: &[[Option<f64>; 2]]) -> Result<Self, Obstacle> {
         let order = Order::of(way);
         let values = values(way, &order.nodes)?;
         let signs = Signs::of(way, bounds, &order, &values);
-        let mut build =
-            Build { way, values: &values, signs: &signs, wanted, parts: Self::default(), uses: BTreeMap::new() };
-        build.all()?;
-        let mut parts = build.parts;
-        parts.is_first_order = signs.is_first_order(way);
+        let is_first_order = signs.is_first_order(way);
+        let (forms, slopes, uses) = (BTreeMap::new(), BTreeMap::new(), BTreeMap::new());
+        let (known, first, load, room) = (FxHashMap::default(), Vec::new(), BTreeMap::new(), BTreeMap::new());
+        let mut parts = Self { way, values, signs, forms, slopes, uses, known, first, load, room, is_first_order };
+        parts.all()?;
         Ok(parts)
     }
 
@@ -106,21 +97,328 @@ impl Parts {
         self.first.len()
     }
 
-    /// The part with these values; none if it is 0.
-    fn at(&mut self, values: Values) -> Option<Term> {
+    /// Hands the derivatives on from the result to all that it is computed from; loads and rooms.
+    fn all(&mut self) -> Result<(), Obstacle> {
+        let mut open: BTreeMap<Node, Vec<(Values, Part)>> = BTreeMap::new();
+        for &node in self.way.nodes.iter().rev() {
+            let mut forms: Vec<Values> = Vec::new();
+            if node == self.way.result {
+                forms.push([1; POINTS]);
+            }
+            if let Some(uses) = open.remove(&node) {
+                forms.push(uses.iter().map(|(by, _)| *by).reduce(|x, y| sum(&x, &y)).unwrap_or_default());
+                if uses.len() > 1 {
+                    forms.extend(uses.iter().map(|(by, _)| *by));
+                    self.uses.insert(node, uses.into_iter().map(|(_, part)| part).collect());
+                }
+            }
+            let Some(total) = forms.first().copied() else { continue };
+            if matches!(self.way.graph.op(node), Op::Search(..)) {
+                return Err(Obstacle::Search);
+            }
+            self.forms.insert(node, forms);
+            let slopes = self.slopes(node);
+            for (k, (operand, slope)) in slopes.iter().enumerate() {
+                let by = product(&total, slope);
+                if by != [0; POINTS] {
+                    open.entry(*operand).or_default().push((by, Part(node, 0, k + 1)));
+                }
+            }
+            self.slopes.insert(node, slopes);
+            // A number that is always 0 has no part, but what it is made of may have.
+            let Some((factor, atom)) = self.atom(Part(node, 0, 0)) else { continue };
+            let roundings = self.way.roundings(node) * factor.abs();
+            if roundings.is_positive() {
+                self.load.entry(atom).or_insert((Rational::zero(), node)).0 += roundings;
+            }
+            for _ in 0..u8::from(matches!(self.way.graph.op(node), Op::Input(_))) + u8::from(node == self.way.result) {
+                *self.room.entry(atom).or_default() += factor.abs();
+            }
+        }
+        Ok(())
+    }
+
+    /// The operands of an operation, and the derivatives of its result with respect to them.
+    fn slopes(&self, node: Node) -> Vec<(Node, Values)> {
+        let operands = self.way.operands(node).unwrap_or_default();
+        let x: Vec<Values> = operands.iter().map(|operand| self.values[operand]).collect();
+        let (value, one) = (self.values[&node], [1; POINTS]);
+        let symbol = || std::array::from_fn(|k| field::random([k as u64, node.index() as u64, 2]));
+        // Of a sum of products, the other factors of the same one.
+        let others = |start: usize, length: usize, place: usize| {
+            let places = (start..start + length).filter(|&other| other != place);
+            places.fold(one, |all, other| product(&all, &x[other]))
+        };
+        let slopes = match self.way.graph.op(node) {
+            Op::Unary(function, _) => match function {
+                Unary::Negative => vec![opposite(&one)],
+                Unary::Absolute => vec![product(&value, &reciprocal(&x[0]))],
+                Unary::Root => vec![reciprocal(&sum(&value, &value))],
+                Unary::Exponential => vec![value],
+                Unary::ExponentialMinusOne => vec![sum(&value, &one)],
+                Unary::PowerOfTwo | Unary::NearestInteger => Vec::new(),
+                Unary::Sine | Unary::Cosine | Unary::ArcSine => vec![symbol()],
+            },
+            Op::Binary(operation, ..) => match operation {
+                Binary::Add => vec![one; 2],
+                Binary::Subtract => vec![one, opposite(&one)],
+                Binary::Multiply => vec![x[1], x[0]],
+                Binary::Divide => {
+                    let slope = reciprocal(&x[1]);
+                    vec![slope, opposite(&product(&slope, &value))]
+                }
+                Binary::Angle => {
+                    let slope = reciprocal(&sum(&product(&x[0], &x[0]), &product(&x[1], &x[1])));
+                    vec![product(&slope, &x[1]), opposite(&product(&slope, &x[0]))]
+                }
+                Binary::Maximum => Vec::new(),
+            },
+            Op::MultiplyAdd(..) => vec![x[1], x[0], one],
+            Op::ExactSum(_) => (0..x.len()).map(|place| others(place / 4 * 4, 4, place)).collect(),
+            Op::Norm(_) => x.iter().map(|x| product(x, &reciprocal(&value))).collect(),
+            _ => Vec::new(),
+        };
+        operands.into_iter().zip(slopes).collect()
+    }
+
+    /// The value of a part; none if there is no such part.
+    fn value(&self, Part(node, form, place): Part) -> Option<Values> {
+        let by = self.forms.get(&node)?.get(form)?;
+        match place.checked_sub(1) {
+            None => Some(product(&self.values[&node], by)),
+            Some(place) => {
+                let (operand, slope) = *self.slopes.get(&node)?.get(place)?;
+                Some(product(&self.values[&operand], &product(by, &slope)))
+            }
+        }
+    }
+
+    /// What a part is a multiple of; none if it is 0, or if there is no such part.
+    fn atom(&mut self, part: Part) -> Option<Term> {
+        let values = self.value(part)?;
         let per_first = field::inverse(values[0])?;
         let key = std::array::from_fn(|k| field::multiply(values[k + 1], per_first));
         let known = self.known.entry(key).or_default();
         let ratio = |atom: Atom| {
-            let ratio = field::multiply(values[0], field::inverse(self.first[atom])?);
+            let ratio = field::multiply(values[0], field::inverse(self.first[atom].1)?);
             Some((field::to_rational(ratio)?, atom))
         };
         Some(known.iter().find_map(|&atom| ratio(atom)).unwrap_or_else(|| {
             known.push(self.first.len());
-            self.first.push(values[0]);
+            self.first.push((part, values[0]));
             (Rational::one(), self.first.len() - 1)
         }))
     }
+
+    /// The equations between parts, each with the parts that add up to 0.
+    fn equations(&self) -> Vec<Vec<(Rational, Part)>> {
+        let one = Rational::one();
+        let equation = |whole: Part, terms: &mut dyn Iterator<Item = Part>| {
+            std::iter::once((-one, whole)).chain(terms.map(|part| (one, part))).collect()
+        };
+        let mut equations = Vec::new();
+        for (&node, forms) in self.forms.iter().rev() {
+            if let Some(uses) = self.uses.get(&node) {
+                equations.push(equation(Part(node, 0, 0), &mut uses.iter().copied()));
+            }
+            let terms = self.terms(node);
+            if !terms.is_empty() {
+                equations.extend((0..forms.len()).map(|form| {
+                    equation(Part(node, form, 0), &mut terms.iter().map(|&place| Part(node, form, place)))
+                }));
+            }
+        }
+        equations
+    }
+
+    /// The places of an operand of each term of a sum, or of a norm.
+    fn terms(&self, node: Node) -> Vec<usize> {
+        match self.way.graph.op(node) {
+            Op::Binary(Binary::Add | Binary::Subtract, ..) => vec![1, 2],
+            Op::MultiplyAdd(..) => vec![1, 3],
+            Op::ExactSum(parts) => (1..=parts.len()).step_by(4).collect(),
+            Op::Norm(parts) => (1..=parts.len()).collect(),
+            _ => Vec::new(),
+        }
+    }
+
+    /// The rules that serve to find a proof.
+    pub(super) fn rules(&mut self) -> BTreeMap<Rule, Inequality> {
+        let mut names = Vec::new();
+        let equations = self.equations();
+        for equation in &equations {
+            names.extend((0..equation.len()).map(|k| Rule::Sum(with_first(equation, k))));
+            let values: Vec<_> = equation.iter().map(|&(_, part)| self.value(part).unwrap_or_default()).collect();
+            for bounded in &self.signs.bounded {
+                let pairs = (0..values.len()).flat_map(|k| (0..values.len()).map(move |other| (k, other)));
+                let pairs = pairs.filter(|&(k, other)| k != other && values[k][0] != 0 && values[other][0] != 0);
+                let is_range = |&(k, other): &(usize, usize)| bounded.most(&values[k], &values[other]).is_some();
+                names.extend(
+                    pairs.filter(is_range).map(|(k, other)| Rule::Range(equation[k].1, equation[other].1, bounded.by)),
+                );
+            }
+        }
+        let sums: Vec<_> = self.forms.iter().filter(|(node, _)| self.signs.adds_up(**node)).collect();
+        names.extend(
+            sums.into_iter().flat_map(|(&node, forms)| (0..forms.len()).map(move |form| Rule::Parts(node, form))),
+        );
+        let mut rules = BTreeMap::new();
+        let mut add = |parts: &mut Self, names: Vec<Rule>| {
+            for name in names {
+                if let Ok(inequality) = parts.inequality(&name) {
+                    rules.insert(name, inequality);
+                }
+            }
+            parts.bounded(&rules)
+        };
+        let mut bounded = add(self, names);
+        loop {
+            let found = self.eliminated(&equations, &bounded);
+            let more = add(self, found);
+            if more == bounded {
+                return rules;
+            }
+            bounded = more;
+        }
+    }
+
+    /// Equations that follow from these, each for one part that is not bounded, in terms of bounded parts.
+    fn eliminated(&mut self, equations: &[Vec<(Rational, Part)>], bounded: &[bool]) -> Vec<Rule> {
+        type Row = BTreeMap<Atom, u64>;
+        let is_open = |atom: Atom| !bounded.get(atom).copied().unwrap_or_default();
+        let unknown = |row: &Row| row.keys().filter(|&&atom| is_open(atom)).count();
+        let mut rows: Vec<Row> = Vec::new();
+        for equation in equations {
+            let mut row = Row::new();
+            for &(sign, part) in equation {
+                let Some((factor, atom)) = self.atom(part) else { continue };
+                let factor = field::of_rational(sign * factor).unwrap_or_default();
+                let entry = row.entry(atom).or_default();
+                *entry = field::add(*entry, factor);
+            }
+            row.retain(|_, factor| *factor != 0);
+            if unknown(&row) > 0 {
+                rows.push(row);
+            }
+        }
+        rows.sort_by_key(unknown);
+        let mut solved: BTreeMap<Atom, Row> = BTreeMap::new();
+        let subtract = |row: &mut Row, atom: Atom, other: &Row| {
+            let Some(factor) = row.get(&atom).map(|factor| field::negative(*factor)) else { return };
+            for (&atom, &of) in other {
+                let entry = row.entry(atom).or_default();
+                *entry = field::add(*entry, field::multiply(factor, of));
+            }
+            row.retain(|_, factor| *factor != 0);
+        };
+        for mut row in rows {
+            solved.iter().for_each(|(&atom, other)| subtract(&mut row, atom, other));
+            let Some(atom) = row.keys().copied().find(|&atom| is_open(atom)) else { continue };
+            let per_atom = field::inverse(row[&atom]).unwrap_or_default();
+            row.values_mut().for_each(|factor| *factor = field::multiply(*factor, per_atom));
+            solved.values_mut().for_each(|other| subtract(other, atom, &row));
+            solved.insert(atom, row);
+        }
+        let named = |(atom, row): (Atom, Row)| {
+            let first = (unknown(&row) == 1).then(|| (Rational::one(), self.first[atom].0))?;
+            let others = row.iter().filter(|(other, _)| **other != atom);
+            let others = others.map(|(&other, &factor)| Some((field::to_rational(factor)?, self.first[other].0)));
+            Some(Rule::Sum(std::iter::once(Some(first)).chain(others).collect::<Option<_>>()?))
+        };
+        solved.into_iter().filter_map(named).collect()
+    }
+
+    /// Which parts can be moved on to inputs and to the result.
+    pub(super) fn bounded(&self, rules: &BTreeMap<Rule, Inequality>) -> Vec<bool> {
+        let mut is_bounded = vec![false; self.count()];
+        self.room.keys().for_each(|&atom| is_bounded[atom] = true);
+        loop {
+            let before = is_bounded.iter().filter(|is| **is).count();
+            for rule in rules.values() {
+                if rule.right.iter().all(|&(_, atom)| is_bounded[atom]) {
+                    rule.left.iter().for_each(|&(_, atom)| is_bounded[atom] = true);
+                }
+            }
+            if is_bounded.iter().filter(|is| **is).count() == before {
+                return is_bounded;
+            }
+        }
+    }
+
+    /// What a rule says.
+    ///
+    /// # Errors
+    /// Why it does not hold, or says nothing.
+    pub(super) fn inequality(&mut self, rule: &Rule) -> Result<Inequality, String> {
+        let mut left: BTreeMap<Atom, Rational> = BTreeMap::new();
+        let mut right = left.clone();
+        match rule {
+            Rule::Sum(terms) => {
+                let mut sums = [0; POINTS];
+                let mut atoms = Vec::new();
+                for &(factor, part) in terms {
+                    let value = self.value(part).ok_or_else(|| format!("there is no part {part:?}"))?;
+                    let of = field::of_rational(factor).ok_or("a factor is too large")?;
+                    sums = sum(&sums, &value.map(|x| field::multiply(x, of)));
+                    atoms.push(self.atom(part).map(|(of, atom)| (factor * of, atom)));
+                }
+                let bits = |x: &i128| 128 - x.unsigned_abs().leading_zeros();
+                let digits: u32 = terms.iter().map(|(factor, _)| bits(factor.numer()) + bits(factor.denom())).sum();
+                if digits > DIGITS {
+                    return Err(format!("the factors of {rule:?} have {digits} bits; allowed are {DIGITS}"));
+                }
+                if sums != [0; POINTS] {
+                    return Err(format!("the terms of {rule:?} do not add up to 0"));
+                }
+                for (factor, atom) in atoms.iter().flatten() {
+                    *right.entry(*atom).or_default() += *factor;
+                }
+                if let Some((_, atom)) = atoms.first().copied().flatten() {
+                    left.extend(right.remove_entry(&atom));
+                }
+            }
+            &Rule::Parts(node, form) => {
+                if !self.signs.adds_up(node) {
+                    return Err(format!("the terms of {} may cancel", node.index()));
+                }
+                for (factor, atom) in
+                    self.terms(node).into_iter().filter_map(|place| self.atom(Part(node, form, place)))
+                {
+                    *left.entry(atom).or_default() += factor.abs();
+                }
+                right.extend(self.atom(Part(node, form, 0)).map(|(factor, atom)| (atom, factor)));
+            }
+            &Rule::Range(part, other, by) => {
+                let values = [part, other].map(|part| self.value(part));
+                let [Some(first), Some(second)] = values else { return Err(format!("{rule:?} names no parts")) };
+                let known = self.signs.bounded.iter().filter(|bounded| bounded.by == by);
+                let most = known.filter_map(|bounded| bounded.most(&first, &second)).min();
+                let most = most.ok_or_else(|| format!("the bounds of {} say nothing of {rule:?}", by.index()))?;
+                left.extend(self.atom(part).map(|(factor, atom)| (atom, factor)));
+                right.extend(self.atom(other).map(|(factor, atom)| (atom, factor * most)));
+            }
+        }
+        let plain = |terms: BTreeMap<Atom, Rational>| {
+            let terms = terms.into_iter().filter(|(_, factor)| !factor.is_zero());
+            terms.map(|(atom, factor)| (factor.abs(), atom)).collect::<Vec<_>>()
+        };
+        let (left, right) = (plain(left), plain(right));
+        if left.is_empty() { Err(format!("{rule:?} bounds nothing")) } else { Ok(Inequality { left, right }) }
+    }
+
+    /// The first operation whose rounding no rule moves on to an input or to the result.
+    pub(super) fn obstacle(&self, rules: &BTreeMap<Rule, Inequality>) -> Option<Obstacle> {
+        let is_bounded = self.bounded(rules);
+        let missing = self.load.iter().filter(|(atom, _)| !is_bounded[**atom]).map(|(_, &(_, node))| node);
+        missing.min().map(Obstacle::Rounding)
+    }
+}
+
+/// The same equation with another term first.
+fn with_first(equation: &[(Rational, Part)], k: usize) -> Vec<(Rational, Part)> {
+    let mut terms = equation.to_vec();
+    terms[..=k].rotate_right(1);
+    terms
 }
 
 /// An operation, its operands by position, and its value if it is an exact constant.
@@ -196,214 +494,4 @@ fn at_point(steps: &[Step], point: u64, not_squares: &mut BTreeSet<Node>) -> Opt
         values.push(value);
     }
     is_point.then_some(values)
-}
-
-struct Build<'a> {
-    way: &'a Way<'a>,
-    values: &'a BTreeMap<Node, Values>,
-    signs: &'a Signs,
-    wanted: Option<&'a BTreeSet<Place>>,
-    parts: Parts,
-    /// The derivatives of the result with respect to a number, one for each use.
-    uses: BTreeMap<Node, Vec<Values>>,
-}
-
-impl Build<'_> {
-    fn all(&mut self) -> Result<(), Obstacle> {
-        self.uses.insert(self.way.result, vec![[1; POINTS]]);
-        for &node in self.way.nodes.iter().rev() {
-            let Some(uses) = self.uses.remove(&node) else { continue };
-            let total = uses.iter().copied().reduce(|x, y| sum(&x, &y)).unwrap_or([0; POINTS]);
-            let value = self.values[&node];
-            let whole = self.part(&value, &total);
-            let mut forms = vec![total];
-            if uses.len() > 1 && self.wants(node, None) {
-                let parts: Vec<_> = uses.iter().map(|by| product(&value, by)).collect();
-                self.equation(node, None, &product(&value, &total), &parts);
-            }
-            if uses.len() > 1 {
-                forms.extend(uses);
-            }
-            if let Some((factor, atom)) = whole {
-                let roundings = self.way.roundings(node) * factor.abs();
-                if roundings.is_positive() {
-                    self.parts.load.entry(atom).or_insert((Rational::zero(), node)).0 += roundings;
-                }
-                if matches!(self.way.graph.op(node), Op::Input(_)) {
-                    *self.parts.room.entry(atom).or_default() += factor.abs();
-                }
-            }
-            // A number that is always 0 has no part, but what it is made of may have.
-            self.operation(node, &forms)?;
-        }
-        if let Some((factor, atom)) = self.part(&self.values[&self.way.result], &[1; POINTS]) {
-            *self.parts.room.entry(atom).or_default() += factor.abs();
-        }
-        Ok(())
-    }
-
-    fn part(&mut self, value: &Values, by: &Values) -> Option<Term> {
-        self.parts.at(product(value, by))
-    }
-
-    /// Hands the derivatives on to the operands, and adds the rules of the operation.
-    fn operation(&mut self, node: Node, forms: &[Values]) -> Result<(), Obstacle> {
-        let way = self.way;
-        let operands = way.operands(node).unwrap_or_default();
-        let x: Vec<Values> = operands.iter().map(|operand| self.values[operand]).collect();
-        let (value, by) = (self.values[&node], forms[0]);
-        let symbol = || std::array::from_fn(|k| field::random([k as u64, node.index() as u64, 2]));
-        match way.graph.op(node) {
-            Op::Search(..) => return Err(Obstacle::Search),
-            Op::Unary(function, _) => {
-                let slope = match function {
-                    Unary::Negative => [field::negative(1); POINTS],
-                    Unary::Absolute => product(&value, &reciprocal(&x[0])),
-                    Unary::Root => reciprocal(&sum(&value, &value)),
-                    Unary::Exponential => value,
-                    Unary::ExponentialMinusOne => sum(&value, &[1; POINTS]),
-                    Unary::PowerOfTwo | Unary::NearestInteger => return Ok(()),
-                    Unary::Sine | Unary::Cosine | Unary::ArcSine => symbol(),
-                };
-                self.hand_on(operands[0], product(&by, &slope));
-            }
-            Op::Binary(Binary::Multiply, ..) => {
-                self.hand_on(operands[0], product(&by, &x[1]));
-                self.hand_on(operands[1], product(&by, &x[0]));
-            }
-            Op::Binary(Binary::Divide, ..) => {
-                let slope = product(&by, &reciprocal(&x[1]));
-                self.hand_on(operands[0], slope);
-                self.hand_on(operands[1], opposite(&product(&slope, &value)));
-            }
-            Op::Binary(Binary::Angle, ..) => {
-                let square = sum(&product(&x[0], &x[0]), &product(&x[1], &x[1]));
-                let slope = product(&by, &reciprocal(&square));
-                self.hand_on(operands[0], product(&slope, &x[1]));
-                self.hand_on(operands[1], opposite(&product(&slope, &x[0])));
-                let [whole, part] = [product(&value, &by), product(&product(&x[0], &x[1]), &slope)];
-                if let (Some(whole), Some(part)) = (self.parts.at(whole), self.parts.at(part)) {
-                    self.parts.rules.insert(Rule::Angle(node), inequality(vec![part], vec![whole]));
-                }
-            }
-            Op::Binary(Binary::Add | Binary::Subtract, ..) | Op::MultiplyAdd(..) | Op::ExactSum(_) | Op::Norm(_) => {
-                self.sum_of(node, &operands, &x, forms);
-            }
-            _ => {}
-        }
-        Ok(())
-    }
-
-    /// A sum of products, or a norm, whose derivative with respect to a component is the same as of its square.
-    fn sum_of(&mut self, node: Node, operands: &[Node], x: &[Values], forms: &[Values]) {
-        let value = self.values[&node];
-        let one = [1; POINTS];
-        let (lengths, factor): (Vec<usize>, _) = match self.way.graph.op(node) {
-            Op::MultiplyAdd(..) => (vec![2, 1], one),
-            Op::ExactSum(_) => (vec![4; x.len() / 4], one),
-            Op::Norm(_) => (vec![1; x.len()], reciprocal(&value)),
-            _ => (vec![1, 1], one),
-        };
-        let is_norm = matches!(self.way.graph.op(node), Op::Norm(_));
-        let is_difference = matches!(self.way.graph.op(node), Op::Binary(Binary::Subtract, ..));
-        let (mut terms, mut start) = (Vec::new(), 0);
-        for (k, length) in lengths.into_iter().enumerate() {
-            let places = start..start + length;
-            start += length;
-            for place in places.clone() {
-                let others = places.clone().filter(|&other| other != place);
-                let mut slope = others.fold(factor, |product_, other| product(&product_, &x[other]));
-                if is_norm {
-                    slope = product(&slope, &x[place]);
-                }
-                if is_difference && k == 1 {
-                    slope = opposite(&slope);
-                }
-                self.hand_on(operands[place], product(&forms[0], &slope));
-                if place == places.start {
-                    terms.push(product(&slope, &x[place]));
-                }
-            }
-        }
-        for (form, by) in forms.iter().enumerate() {
-            if !self.wants(node, Some(form)) {
-                continue;
-            }
-            let parts: Vec<_> = terms.iter().map(|term| product(term, by)).collect();
-            let whole = product(&value, by);
-            self.equation(node, Some(form), &whole, &parts);
-            if self.signs.adds_up(node)
-                && let Some(whole) = self.parts.at(whole)
-            {
-                let mut left: BTreeMap<Atom, Rational> = BTreeMap::new();
-                for (factor, atom) in parts.iter().filter_map(|&part| self.parts.at(part)).collect::<Vec<_>>() {
-                    *left.entry(atom).or_default() += factor.abs();
-                }
-                let left = left.into_iter().map(|(atom, factor)| (factor, atom)).collect();
-                self.parts.rules.insert(Rule::Parts(node, form), inequality(left, vec![whole]));
-            }
-        }
-    }
-
-    fn wants(&self, node: Node, form: Option<usize>) -> bool {
-        self.wanted.is_none_or(|places| places.contains(&(node, form)))
-    }
-
-    fn hand_on(&mut self, to: Node, by: Values) {
-        if by != [0; POINTS] {
-            self.uses.entry(to).or_default().push(by);
-        }
-    }
-
-    /// The rules that follow from whole = Σ parts.
-    fn equation(&mut self, node: Node, form: Option<usize>, whole: &Values, parts: &[Values]) {
-        let all: Vec<Values> = std::iter::once(opposite(whole)).chain(parts.iter().copied()).collect();
-        let terms: Vec<Option<Term>> = all.iter().map(|&values| self.parts.at(values)).collect();
-        let mut factors: BTreeMap<Atom, Rational> = BTreeMap::new();
-        terms.iter().flatten().for_each(|&(factor, atom)| *factors.entry(atom).or_default() += factor);
-        factors.retain(|_, factor| !factor.is_zero());
-        for (k, atom) in terms.iter().enumerate().filter_map(|(k, term)| Some((k, term.as_ref()?.1))) {
-            let Some(&factor) = factors.get(&atom) else { continue };
-            let others =
-                factors.iter().filter(|(other, _)| **other != atom).map(|(&other, factor)| (factor.abs(), other));
-            let name = form.map_or(Rule::Uses(node, k), |form| Rule::Sum(node, form, k));
-            self.parts.rules.insert(name, inequality(vec![(factor.abs(), atom)], others.collect()));
-        }
-        for bounded in &self.signs.bounded {
-            for (k, left) in terms.iter().enumerate() {
-                for (other, right) in terms.iter().enumerate().filter(|&(other, _)| other != k) {
-                    let (Some(left), Some(right)) = (left, right) else { continue };
-                    if let Some(most) = bounded.most(&all[k], &all[other]) {
-                        let right = (right.0 * most, right.1);
-                        let name = Rule::Range(node, form, k, other, bounded.by);
-                        self.parts.rules.insert(name, inequality(vec![*left], vec![right]));
-                    }
-                }
-            }
-        }
-    }
-}
-
-fn inequality(left: Vec<Term>, right: Vec<Term>) -> Inequality {
-    let plain = |terms: Vec<Term>| terms.into_iter().map(|(factor, atom)| (factor.abs(), atom)).collect();
-    Inequality { left: plain(left), right: plain(right) }
-}
-
-/// The first operation whose rounding no rule moves on to an input or to the result.
-pub(super) fn obstacle(parts: &Parts) -> Option<Obstacle> {
-    let mut is_bounded = vec![false; parts.count()];
-    parts.room.keys().for_each(|&atom| is_bounded[atom] = true);
-    loop {
-        let before = is_bounded.iter().filter(|is| **is).count();
-        for rule in parts.rules.values() {
-            if rule.right.iter().all(|&(_, atom)| is_bounded[atom]) {
-                rule.left.iter().for_each(|&(_, atom)| is_bounded[atom] = true);
-            }
-        }
-        if is_bounded.iter().filter(|is| **is).count() == before {
-            break;
-        }
-    }
-    let missing = parts.load.iter().filter(|(atom, _)| !is_bounded[**atom]).map(|(_, &(_, node))| node);
-    missing.min().map(Obstacle::Rounding)
 }

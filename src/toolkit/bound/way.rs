@@ -4,7 +4,7 @@ use crate::toolkit::graph::{Binary, Graph, Node, Op, Unary};
 use std::collections::BTreeMap;
 
 /// More ways of one result than this are not examined.
-pub const MOST_WAYS: usize = 64;
+pub const MOST_WAYS: usize = 128;
 
 /// The answers of comparisons on which a way depends; and for a maximum, whether it is its first operand.
 pub type Answers = BTreeMap<Node, bool>;

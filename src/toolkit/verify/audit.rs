@@ -103,6 +103,15 @@ impl Audit {
             .chain(&self.register)
     }
 
+    /// The largest η found of value and Jacobian, at all sizes.
+    pub fn largest_eta(&self) -> [Option<f64>; 2] {
+        ["value", "closed-form Jacobian"].map(|of| {
+            let is_of = |claim: &&Claim| claim.claim.starts_with(&format!("η of the {of} "));
+            let worst = self.claims().filter(is_of).filter_map(|claim| claim.worst.as_ref());
+            worst.map(|worst| worst.size).reduce(f64::max)
+        })
+    }
+
     /// Whether no claim failed. For a single point on a kink some claims cannot be checked.
     pub fn no_claim_failed(&self) -> bool {
         self.claims().all(|claim| claim.failures == 0)

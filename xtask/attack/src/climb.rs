@@ -240,7 +240,9 @@ impl Climb<'_> {
             size = size.max(self.pass.errors(*node, needed, false).size);
         }
         let found = if height == Height::Most { errors.most } else { errors.actual.abs() } / size;
-        let is_sound = found.is_finite() && size > f64::MIN_POSITIVE / f64::EPSILON;
+        // At the ends of the range, what is possible to first order cannot be told in `f64`.
+        let is_trusted = height != Height::Most || !errors.is_rough;
+        let is_sound = is_trusted && found.is_finite() && size > f64::MIN_POSITIVE / f64::EPSILON;
         // Few points are so high that the distance from singular ones matters.
         if is_sound && (found < bound / 2.0 || self.pass.is_apart(target, apart)) { found } else { f64::NEG_INFINITY }
     }

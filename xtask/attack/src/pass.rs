@@ -8,11 +8,16 @@ use std::ops::Range;
 /// Unit roundoff of `f64`, 2⁻⁵³.
 pub(crate) const U: f64 = f64::EPSILON / 2.0;
 
+/// A smaller number is not as accurate as it should be, since what it is made from may have underflowed.
+const LEAST: f64 = f64::MIN_POSITIVE / f64::EPSILON;
+
 /// The results of all operations, and the derivatives of one result with respect to them.
 pub(crate) struct Pass<'a> {
     graph: &'a Graph,
     pub(crate) all: Vec<f64>,
     pub(crate) slopes: Vec<f64>,
+    /// Whether one of these derivatives has nearly underflowed.
+    is_rough: bool,
     /// The components of the fields, if sensitivities are to whole vectors; else of each component by itself.
     pub(crate) fields: Vec<Range<usize>>,
     /// The derivatives of the last result with respect to the inputs, and the inputs.
@@ -28,13 +33,15 @@ pub(crate) struct Errors {
     pub(crate) actual: f64,
     /// Σ |∂y/∂x · x| + |y|.
     pub(crate) size: f64,
+    /// Whether a number or a derivative has nearly underflowed, so that these errors are not to be trusted.
+    pub(crate) is_rough: bool,
 }
 
 impl<'a> Pass<'a> {
     pub(crate) fn over(graph: &'a Graph, fields: Vec<Range<usize>>) -> Self {
         let empty = vec![0.0; graph.ops().len()];
         let inputs = fields.last().map_or(0, |field| field.end);
-        Self { graph, all: empty.clone(), slopes: empty, fields, gradient: vec![[0.0; 2]; inputs] }
+        Self { graph, all: empty.clone(), slopes: empty, is_rough: false, fields, gradient: vec![[0.0; 2]; inputs] }
     }
 
     pub(crate) fn at(&self, node: Node) -> f64 {
@@ -61,6 +68,7 @@ impl<'a> Pass<'a> {
         for &node in needed {
             self.slopes[node.index()] = 0.0;
         }
+        self.is_rough = false;
         for &(node, weight) in of {
             self.slopes[node.index()] += weight;
         }
@@ -74,7 +82,12 @@ impl<'a> Pass<'a> {
 
     fn pass_on(&mut self, node: Node, slope: f64) {
         let (graph, result) = (self.graph, self.at(node));
-        let mut add = |node: Node, part: f64| self.slopes[node.index()] += part;
+        let is_rough = &mut self.is_rough;
+        let mut add = |node: Node, by: f64| {
+            let part = slope * by;
+            *is_rough |= part.abs() < LEAST && by != 0.0;
+            self.slopes[node.index()] += part;
+        };
         let at = |node: &Node| self.all[node.index()];
         match graph.op(node) {
             Op::Unary(function, x) => {
@@ -95,7 +108,7 @@ impl<'a> Pass<'a> {
                     Unary::ExponentialMinusOne => at(x).exp(),
                     Unary::PowerOfTwo | Unary::NearestInteger => 0.0,
                 };
-                add(*x, slope * by);
+                add(*x, by);
             }
             Op::Binary(operation, x, y) => {
                 let [by_x, by_y] = match operation {
@@ -110,23 +123,23 @@ impl<'a> Pass<'a> {
                     Binary::Maximum if at(y) > at(x) => [0.0, 1.0],
                     Binary::Maximum => [1.0, 0.0],
                 };
-                add(*x, slope * by_x);
-                add(*y, slope * by_y);
+                add(*x, by_x);
+                add(*y, by_y);
             }
             Op::MultiplyAdd(x, y, z) => {
-                add(*x, slope * at(y));
-                add(*y, slope * at(x));
-                add(*z, slope);
+                add(*x, at(y));
+                add(*y, at(x));
+                add(*z, 1.0);
             }
-            Op::Select(condition, x, y) => add(if at(condition) == 1.0 { *x } else { *y }, slope),
+            Op::Select(condition, x, y) => add(if at(condition) == 1.0 { *x } else { *y }, 1.0),
             Op::Norm(parts) if result != 0.0 => {
-                parts.iter().for_each(|part| add(*part, slope * (at(part) / result)));
+                parts.iter().for_each(|part| add(*part, at(part) / result));
             }
             Op::ExactSum(products) => {
                 for product in products {
                     for (k, factor) in product.iter().enumerate() {
                         let others = (0..4).filter(|&other| other != k).map(|other| at(&product[other]));
-                        add(*factor, slope * others.product::<f64>());
+                        add(*factor, others.product::<f64>());
                     }
                 }
             }
@@ -148,6 +161,7 @@ impl<'a> Pass<'a> {
                 self.gradient[k] = [slope, self.at(node)];
                 continue;
             }
+            errors.is_rough |= self.has_underflowed(node);
             let most = rounding::most(self.graph, node, &self.all);
             if most > 0.0 {
                 errors.most += most * (slope * self.at(node)).abs();
@@ -160,8 +174,19 @@ impl<'a> Pass<'a> {
             [both] => both[part].abs(),
             ref all => all.iter().fold(0.0, |length: f64, both| length.hypot(both[part])),
         };
+        errors.is_rough |= self.is_rough;
         errors.size += self.fields.iter().map(|field| length(field, 0) * length(field, 1)).sum::<f64>();
         errors
+    }
+
+    /// Whether a product or a quotient of numbers that are not 0 has nearly underflowed, or the derivative of a quotient.
+    fn has_underflowed(&self, node: Node) -> bool {
+        let Op::Binary(operation @ (Binary::Multiply | Binary::Divide), x, y) = *self.graph.op(node) else {
+            return false;
+        };
+        let result = self.at(node).abs();
+        let slope = if operation == Binary::Divide { result / self.at(y).abs() } else { result };
+        self.at(x) != 0.0 && self.at(y) != 0.0 && result.min(slope) < LEAST
     }
 
     /// Whether no divisor of a result vanishes for relative changes of the inputs by less than this, after a pass forwards.

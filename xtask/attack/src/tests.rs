@@ -13,6 +13,7 @@ use jointproof::contact::{interaction, slide_line};
 use jointproof::element::cardan;
 use jointproof::formula::proof::Proved;
 use jointproof::formula::{Component, Formula, Jacobian, Spec, ValueAndJacobian};
+use jointproof::toolkit::bound::Head;
 use jointproof::toolkit::graph::Number;
 use jointproof::{Error, Octuple, Scalar};
 use std::marker::PhantomData;
@@ -82,6 +83,24 @@ fn bounds_of_values_that_are_a_tenth_too_low_are_refuted() {
     refuted::<hinge::ContactMoment, 1263, HIGH>();
     refuted::<slide_line::LocalBasis, 2177, HIGH>();
     refuted::<slider::Line, 2600, HIGH>();
+}
+
+/// What is possible to first order is at most what is proved, also where squares of a ratio underflow.
+#[test]
+fn no_more_is_possible_than_is_proved() {
+    let proved = Head::parse(include_str!("../../../golden/bounds/ujoint.twist_factors.jsonl")).unwrap();
+    let proved = [proved.value, proved.jacobian].map(|of| of.bound());
+    let attack = attack(&ujoint::TwistFactors, Effort::Evaluations(300_000), 0).unwrap();
+    for (possible, proved) in attack.first_order.iter().zip(proved) {
+        assert!((0.9 * proved..=proved * (1.0 + 1e-9)).contains(possible), "{possible} of {proved}");
+    }
+    let graph = ujoint::TwistFactors.graph().unwrap();
+    let target = &targets(&ujoint::TwistFactors, &graph)[0];
+    let mut pass = Pass::over(&graph, vec![0..1, 1..2]);
+    for (inputs, is_rough) in [([1e-115, 1e46], true), ([1.0, 2.0], false)] {
+        pass.forwards(&target.needed, &inputs);
+        assert_eq!(pass.errors(target.own.0, &target.own.1, false).is_rough, is_rough, "{inputs:?}");
+    }
 }
 
 #[test]

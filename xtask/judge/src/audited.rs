@@ -5,15 +5,20 @@ use crate::examination;
 use jointproof::toolkit::verify::{Audit, Claim, Deviation};
 use std::fmt::Write;
 
-/// The failures in full, then one line per formula.
+/// The failures in full, then one line per formula; `accuracy` says how the bounds of η are known, if that is known here.
 ///
 /// # Errors
 /// None in practice; those of formatting are passed on.
-pub fn text(audits: &[Audit], passed: fn(&Audit) -> bool) -> Result<String, std::fmt::Error> {
+pub fn text(
+    audits: &[Audit],
+    passed: fn(&Audit) -> bool,
+    accuracy: &dyn Fn(&Audit) -> Option<String>,
+) -> Result<String, std::fmt::Error> {
     let mut text = String::new();
     for audit in audits {
         let points = audit.named_points + audit.random_points;
-        text += &heading(&audit.formula, passed(audit), points, &audit.provenance)?;
+        let said: Vec<_> = std::iter::once(audit.provenance.clone()).chain(accuracy(audit)).collect();
+        text += &heading(&audit.formula, passed(audit), points, &said.join("\n    "))?;
         for claim in audit.claims() {
             writeln!(text, "    {}", line(claim))?;
         }

@@ -8,6 +8,7 @@ use crate::golden;
 use crate::missing::missing;
 use crate::outcome::{Outcome, Usage, verdict};
 use crate::project::Project;
+use crate::prove;
 use crate::review::{Finding, annotations, of_claim, rdjson, sarif, summarise};
 use crate::selection::Selection;
 use crate::since::Changes;
@@ -96,7 +97,7 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
         let seconds = Duration::try_from_secs_f64(seconds)
             .map_err(|error| Usage(format!("--attack is {seconds}; allowed is a time in seconds: {error}")))?;
         let effort = arguments.evaluations.map_or(Effort::Time(seconds), Effort::Evaluations);
-        let (text, holds) = attack::run(&arguments.selection.formulas(project)?, effort, arguments.seed)?;
+        let (text, holds) = attack::run(project, &arguments.selection.formulas(project)?, effort, arguments.seed)?;
         print(&text)?;
         return Ok(verdict(holds));
     }
@@ -126,7 +127,9 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     let missing = if arguments.point.is_some() { Vec::new() } else { missing(project, &formulas)? };
     print(&match arguments.format {
         Format::Text if of_elements_alone => elements_text.clone(),
-        Format::Text => text(&audits, passed)? + &elements_text + &missing.concat(),
+        Format::Text => {
+            text(&audits, passed, &|audit| prove::of_audit(project, audit))? + &elements_text + &missing.concat()
+        }
         Format::Markdown => {
             markdown(project, &formulas, &audits, passed)? + &elements::markdown(&of_elements) + &fenced(&missing)
         }
@@ -288,6 +291,9 @@ fn markdown(
             writeln!(text, "### ❌ `{}`\n", audit.formula)?;
         }
         writeln!(text, "{}.\n", audit.provenance)?;
+        if let Some(accuracy) = prove::of_audit(project, audit) {
+            writeln!(text, "{accuracy}.\n")?;
+        }
         writeln!(text, "{} named and {} random points.\n", audit.named_points, audit.random_points)?;
         writeln!(text, "| claim | checked | failed | worst | bound | at |\n|---|--:|--:|--:|--:|---|")?;
         for claim in audit.claims() {
@@ -353,13 +359,17 @@ mod tests {
         [sample::passed(), sample::failed()]
     }
 
+    fn accuracy(_: &Audit) -> Option<String> {
+        Some("value: η ≤ 4, measured (largest found 1.50); Jacobian: η ≤ 5/3, proved (largest found 1.25)".into())
+    }
+
     fn without_colours(text: &str) -> String {
         anstream::adapter::strip_str(text).to_string()
     }
 
     #[test]
     fn text_says_what_the_audits_found() {
-        let printed = text(&audits(), Audit::passed).unwrap();
+        let printed = text(&audits(), Audit::passed, &accuracy).unwrap();
         expect_file!["../tests/printed/audit.txt"].assert_eq(&without_colours(&printed));
     }
 
@@ -369,12 +379,12 @@ mod tests {
         let mut audit = sample::passed();
         let figures = [&mut audit.eta].into_iter().chain(&mut audit.eta_jacobian).chain(&mut audit.scaled);
         figures.filter_map(|claim| claim.worst.as_mut()).for_each(|worst| worst.size = 0.0);
-        let printed = without_colours(&text(&[audit], Audit::passed).unwrap());
+        let printed = without_colours(&text(&[audit], Audit::passed, &|_| None).unwrap());
         assert!(printed.contains("103        0    4.00  η of the value in f64\n"), "{printed}");
         assert!(!printed.contains("worst of"), "{printed}");
         let mut audit = sample::passed();
         audit.eta.worst.as_mut().unwrap().size = 0.5;
-        let printed = without_colours(&text(&[audit], Audit::passed).unwrap());
+        let printed = without_colours(&text(&[audit], Audit::passed, &|_| None).unwrap());
         assert!(printed.contains("worst of η of the value in f64: 0.50 at fc"), "any other has: {printed}");
     }
 
@@ -443,7 +453,7 @@ mod tests {
         let mut audit = sample::passed();
         (audit.equation.checks, audit.equation.worst) = (0, None);
         let [strict, lenient] = [Audit::passed, Audit::no_claim_failed]
-            .map(|passed| without_colours(&text(std::slice::from_ref(&audit), passed).unwrap()));
+            .map(|passed| without_colours(&text(std::slice::from_ref(&audit), passed, &|_| None).unwrap()));
         assert!(strict.starts_with("off t.first at 27 points") && strict.ends_with(", 1 formula off\n"), "{strict}");
         assert!(
             lenient.starts_with("ok  t.first at 27 points") && lenient.ends_with(", 0 formulas off\n"),

@@ -53,8 +53,8 @@ fn shown(project: &Project, formula: &dyn AnyFormula, mathematics: fn(&str) -> S
     let mut lines: Vec<_> = mathematics(spec.latex).lines().map(str::to_owned).collect();
     lines.extend(formula.inputs().iter().map(|field| described("in", field)));
     lines.extend(formula.outputs().iter().map(|field| described("out", field)));
-    lines.push(format!("{}, at sizes {}", spec.accuracy(), spec.sizes()));
-    lines.extend(prove::words(project, formula));
+    lines.push(format!("{}, at sizes {}", prove::accuracy(project, formula, None), spec.sizes()));
+    lines.extend(prove::reasons(project, formula));
     lines.extend(formula.kinks().iter().map(|kink| format!("kink: {}", mathematics(&kink.condition))));
     text.extend(lines.iter().flat_map(|line| ["    ", line, "\n"]));
     text

@@ -7,8 +7,9 @@ use crate::project::Project;
 use crate::selection::{Formulas, Selection};
 use indicatif::ParallelProgressIterator;
 use jointproof::catalog::AnyFormula;
-use jointproof::toolkit::bound::{Programme, Proof, Summary};
+use jointproof::toolkit::bound::{self, Head, Programme, Proof, Summary};
 use jointproof::toolkit::graph::Graph;
+use jointproof::toolkit::verify::Audit;
 use microlp::{ComparisonOp, OptimizationDirection, Problem, SolveOutcome, Variable};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use std::fmt::Write;
@@ -82,7 +83,11 @@ fn write(project: &Project, selection: &Selection, formulas: &Formulas) -> anyho
     let prove = |formula: &&dyn AnyFormula| {
         let graph = formula.graph().ok()?;
         let proof = Proof::of(&graph, formula.inputs(), solve);
-        Some((name(*formula), proof.render(formula.spec().id, &digest(*formula, &graph)), Total::of(&proof, &graph)))
+        Some((
+            name(*formula),
+            proof.render(&graph, formula.spec().id, &digest(*formula, &graph)),
+            Total::of(&proof, &graph),
+        ))
     };
     let proved: Vec<_> = formulas.par_iter().progress_with(bar).map(prove).collect();
     let (mut report, mut total) = (String::new(), Total::default());
@@ -144,36 +149,32 @@ fn examined(project: &Project, formula: &dyn AnyFormula) -> Result<Total, String
 }
 
 fn read(text: &str, formula: &dyn AnyFormula, graph: &Graph) -> Result<Proof, String> {
-    Proof::parse(text, formula.spec().id, &digest(formula, graph))
+    Proof::parse(text, graph, formula.spec().id, &digest(formula, graph))
 }
 
 /// What is said to be proved of value and Jacobian of a formula, as committed; `None` where there is no file about its graph.
 pub(crate) fn stated(project: &Project, formula: &dyn AnyFormula) -> Option<[Summary; 2]> {
-    let graph = formula.graph().ok()?;
     let text = std::fs::read_to_string(folder(project).join(name(formula))).ok()?;
-    let proof = read(&text, formula, &graph).ok()?;
-    Some([proof.summary(&graph.value), proof.summary(&graph.jacobian)])
+    let head = Head::parse(&text).ok()?;
+    (head.graph == digest(formula, &formula.graph().ok()?)).then_some([head.value, head.jacobian])
 }
 
-/// What is proved, in words.
-pub(crate) fn words(project: &Project, formula: &dyn AnyFormula) -> Option<String> {
-    let [value, jacobian] = stated(project, formula)?;
+/// The bounds of η of a formula in words, proved or measured, with the largest η of an audit.
+pub(crate) fn accuracy(project: &Project, formula: &dyn AnyFormula, audit: Option<&Audit>) -> String {
+    bound::accuracy(&formula.spec(), stated(project, formula).as_ref(), audit.map_or([None; 2], Audit::largest_eta))
+}
+
+/// The same for the formula of an audit, if the project has it.
+pub(crate) fn of_audit(project: &Project, audit: &Audit) -> Option<String> {
+    project.find(&audit.formula).map(|formula| accuracy(project, formula, Some(audit)))
+}
+
+/// Why some entries of value and Jacobian are not proved, a line each.
+pub(crate) fn reasons(project: &Project, formula: &dyn AnyFormula) -> Vec<String> {
     let is_closed = formula.spec().is_closed();
-    let parts = [("value", Some(value)), ("Jacobian", is_closed.then_some(jacobian))];
-    let said = |(of, summary): (&str, Option<Summary>)| {
-        let Summary { bound, entries, open, first_order_only } = summary?;
-        let why = open.first().map(|(_, why)| why.as_str()).unwrap_or_default();
-        Some(match (entries, open.len()) {
-            (0, _) => format!("no rounding in the {of}"),
-            (all, of_all) if all == of_all => format!("nothing of the {of}: {why}"),
-            (all, some) => {
-                let order = if first_order_only { " to first order" } else { "" };
-                let rest = format!(" ({some} of {all} entries are not: {why})");
-                format!("η at most {bound} of the {of}{order}{}", if some == 0 { "" } else { &rest })
-            }
-        })
-    };
-    Some(format!("proved: {}", parts.into_iter().filter_map(said).collect::<Vec<_>>().join("; ")))
+    let parts = stated(project, formula).into_iter().flat_map(|both| ["value", "Jacobian"].into_iter().zip(both));
+    let open = parts.filter(|(of, summary)| !summary.is_whole() && (*of == "value" || is_closed));
+    open.map(|(of, summary)| format!("not proved of the {of}: {}", summary.why)).collect()
 }
 
 fn digest(formula: &dyn AnyFormula, graph: &Graph) -> String {
@@ -186,29 +187,29 @@ struct Total {
     formulas: usize,
     whole: usize,
     entries: usize,
-    open: usize,
+    proved: usize,
 }
 
 impl Total {
     fn of(proof: &Proof, graph: &Graph) -> Self {
-        let both = [proof.summary(&graph.value), proof.summary(&graph.jacobian)];
-        let open = both.iter().map(|of| of.open.len()).sum();
-        Self { formulas: 1, whole: usize::from(open == 0), entries: both.iter().map(|of| of.entries).sum(), open }
+        let both = proof.summaries(graph);
+        let [entries, proved] =
+            [|of: &Summary| of.entries, |of: &Summary| of.proved].map(|of| both.iter().map(of).sum());
+        Self { formulas: 1, whole: usize::from(entries == proved), entries, proved }
     }
 
     fn add(&mut self, other: &Self) {
         self.formulas += other.formulas;
         self.whole += other.whole;
         self.entries += other.entries;
-        self.open += other.open;
+        self.proved += other.proved;
     }
 
     fn text(&self) -> String {
-        let Self { formulas, whole, entries, open } = *self;
+        let Self { formulas, whole, entries, proved } = *self;
         format!(
-            "{}, {whole} proved whole; {} of {}",
+            "{}, {whole} proved whole; {proved} of {}",
             count(formulas, "formula"),
-            entries - open,
             if entries == 1 { "1 entry".to_owned() } else { format!("{entries} entries") }
         )
     }
@@ -239,6 +240,7 @@ mod tests {
     use super::*;
     use jointproof::catalog;
     use jointproof::toolkit::bound::{Rational, Rule, check};
+    use jointproof::toolkit::graph::{Node, Op};
 
     fn proved(id: &str) -> (&'static dyn AnyFormula, Graph, Proof) {
         let formula = catalog::find(id).unwrap();
@@ -260,8 +262,7 @@ mod tests {
         ];
         for (id, bounds) in known {
             let (_, graph, proof) = proved(id);
-            let both = [proof.summary(&graph.value), proof.summary(&graph.jacobian)];
-            let found = both.map(|of| (of.entries > 0 && of.open.is_empty()).then_some(of.bound));
+            let found = proof.summaries(&graph).map(|of| (of.entries > 0 && of.is_whole()).then_some(of.bound));
             assert_eq!(found, bounds, "{id}");
         }
     }
@@ -270,11 +271,11 @@ mod tests {
     #[test]
     fn a_file_is_read_as_it_was_written_and_belongs_to_one_graph() {
         let (formula, graph, proof) = proved("slide_line.parabolic_point");
-        let text = proof.render("slide_line.parabolic_point", &digest(formula, &graph));
+        let text = proof.render(&graph, "slide_line.parabolic_point", &digest(formula, &graph));
         let again = read(&text, formula, &graph).unwrap();
         assert_eq!(
             (
-                again.render("slide_line.parabolic_point", &digest(formula, &graph)),
+                again.render(&graph, "slide_line.parabolic_point", &digest(formula, &graph)),
                 again.check(&graph, formula.inputs())
             ),
             (text.clone(), Ok(()))
@@ -283,8 +284,12 @@ mod tests {
         let refused = read(&text, other, &other.graph().unwrap()).unwrap_err();
         assert!(refused.starts_with("line 1: it is about another graph"), "{refused}");
         let half: String = text.lines().take(2).map(|line| line.to_owned() + "\n").collect();
-        let refused = read(&half, formula, &graph).unwrap().check(&graph, formula.inputs()).unwrap_err();
-        assert!(refused.starts_with("nothing is said of result"), "{refused}");
+        let refused = read(&half, formula, &graph).unwrap_err();
+        assert_eq!(refused, "line 1: the other lines say something else");
+        let (&first, _) = proof.results.first_key_value().unwrap();
+        let less = Proof { results: proof.results.into_iter().skip(1).collect() };
+        let refused = less.check(&graph, formula.inputs()).unwrap_err();
+        assert_eq!(refused, format!("nothing is said of result {}", first.index()));
     }
 
     /// Whatever is changed in a certificate is refused, or the bound still holds.
@@ -299,6 +304,8 @@ mod tests {
             "slide_line.parabolic_point",
         ] {
             let (formula, graph, proof) = proved(id);
+            let is_input = |node: &Node| matches!(graph.op(*node), Op::Input(_));
+            let first = graph.needed(&graph.value).into_iter().find(is_input).unwrap();
             for (&node, certificates) in &proof.results {
                 let certificates = certificates.as_ref().unwrap();
                 let holds = |certificates: &[_]| check(&graph, formula.inputs(), node, certificates);
@@ -317,7 +324,7 @@ mod tests {
                     for step in 0..certificates[k].steps.len() {
                         let negative = with(&|of| of.steps[step].1 *= -1);
                         assert!(negative.is_err(), "{id}: a negative amount");
-                        let other = with(&|of| of.steps[step].0 = Rule::Angle(node));
+                        let other = with(&|of| of.steps[step].0 = Rule::Parts(first, 0));
                         assert!(other.is_err(), "{id}: a rule that is not there");
                         for verdict in [with(&|of| _ = of.steps.remove(step)), with(&|of| of.steps[step].1 /= 2)] {
                             if verdict.is_err() { refused += 1 } else { harmless += 1 }

@@ -113,7 +113,7 @@ fn check_audit(project: &Project, arguments: &Arguments) -> anyhow::Result<(bool
     };
     let failed: Vec<Audit> = audits.iter().filter(|audit| !audit.passed()).cloned().collect();
     if !failed.is_empty() {
-        say(audited::text(&failed, Audit::passed)?.trim_end());
+        say(audited::text(&failed, Audit::passed, &|audit| prove::of_audit(project, audit))?.trim_end());
     }
     let comparisons = audits.iter().flat_map(Audit::claims).map(|claim| claim.checks).sum();
     let [audited, comparisons, off] =

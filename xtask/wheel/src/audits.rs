@@ -1,5 +1,6 @@
 //! Audits, and parts of them, as JSON.
 
+use crate::formulas::accuracy;
 use crate::threads::on_all_cores;
 use jointproof::catalog::{AnyFormula, CATALOG, find};
 use jointproof::toolkit::verify::{Audit, Options, Part, Shard};
@@ -81,6 +82,7 @@ pub(crate) fn merge_all(parts: Vec<String>) -> PyResult<String> {
 #[pyfunction]
 pub(crate) fn audit_text(audits: &str) -> PyResult<(String, bool)> {
     let audits: Vec<Audit> = read(audits)?;
-    let text = judge::audited::text(&audits, Audit::passed).map_err(invalid)?;
+    let accuracy = |audit: &Audit| find(&audit.formula).map(|formula| accuracy(&formula.spec(), audit.largest_eta()));
+    let text = judge::audited::text(&audits, Audit::passed, &accuracy).map_err(invalid)?;
     Ok((judge::console::plain(&text), audits.iter().all(Audit::passed)))
 }

@@ -6,7 +6,8 @@ use crate::rows::Refused;
 use crate::threads::on_all_cores;
 use jointproof::Error;
 use jointproof::catalog::{AnyFormula, CATALOG};
-use jointproof::formula::Field;
+use jointproof::formula::{Field, Spec};
+use jointproof::toolkit::bound::{self, Head};
 use ndarray::ArrayViewMutD;
 use numpy::{PyReadonlyArrayDyn, PyReadwriteArrayDyn};
 use pyo3::exceptions::{PyIndexError, PyRuntimeError, PyValueError};
@@ -36,6 +37,15 @@ pub(crate) fn catalog() -> String {
         .to_string()
 }
 
+/// What is proved of the formulas, a line each.
+static PROVED: &str = include_str!(concat!(env!("OUT_DIR"), "/proved.jsonl"));
+
+/// The bounds of η in words, with the largest η found of value and Jacobian.
+pub(crate) fn accuracy(spec: &Spec, found: [Option<f64>; 2]) -> String {
+    let head = PROVED.lines().filter_map(|line| Head::parse(line).ok()).find(|head| head.formula == spec.id);
+    bound::accuracy(spec, head.map(|head| [head.value, head.jacobian]).as_ref(), found)
+}
+
 fn described(formula: &dyn AnyFormula, entries: &[[usize; 2]]) -> Value {
     let spec = formula.spec();
     let fields = |fields: &[Field]| fields.iter().map(field).collect::<Value>();
@@ -47,7 +57,7 @@ fn described(formula: &dyn AnyFormula, entries: &[[usize; 2]]) -> Value {
         "latex": spec.latex,
         "eta": spec.eta.value,
         "eta_jacobian": spec.eta.jacobian,
-        "accuracy": spec.accuracy(),
+        "accuracy": accuracy(spec, [None; 2]),
         "sizes": spec.sizes(),
         "inputs": fields(formula.inputs()),
         "outputs": fields(formula.outputs()),

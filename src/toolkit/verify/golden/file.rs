@@ -45,7 +45,8 @@ pub struct File {
     /// The equation.
     #[schemars(length(min = 1))]
     pub latex: String,
-    /// The bounds of the backward error η that the implementation in Rust keeps on these cases and many more.
+    /// The bounds of the backward error η that the implementation in Rust keeps on these cases and many more. What is proved of them is
+    /// said by the file of the same name in the folder `bounds`.
     pub eta: Bounds,
     /// What goes in.
     #[schemars(length(min = 1))]

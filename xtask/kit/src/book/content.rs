@@ -99,6 +99,10 @@ pub(crate) struct Entry {
     pub(crate) outputs: Vec<Symbol>,
     /// Points where the derivative jumps.
     pub(crate) kinks: Vec<Kink>,
+    /// Its bounds of η, and how they are known (text); may be empty.
+    pub(crate) accuracy: String,
+    /// Why some entries have no proved bound (text).
+    pub(crate) not_proved: Vec<String>,
     /// The functions to show, normally `eval` and `jacobian`.
     pub(crate) code: Vec<CodeSpan>,
     /// Tests that name the id.

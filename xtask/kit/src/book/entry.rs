@@ -157,6 +157,7 @@ fn proof(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
         let items = each(lines, |line| format!("<li>{}</li>", pages.text(at, line)));
         out += &fact(&escape(name), &format!("<ul>{items}</ul>"));
     }
+    out += &fact("Accuracy", &accuracy(pages, at, entry));
     out += &fact("Kinks", &kinks(pages, at, &entry.kinks, entry.evidence.audit.as_ref()));
     out += &fact("Golden cases", &golden(at, entry.golden.as_ref()));
     out += &fact("Executed", &evidence(&entry.evidence));
@@ -166,6 +167,17 @@ fn proof(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
         glance::summary(entry),
         tests(pages, at, entry)
     )
+}
+
+/// The bounds of η, how they are known, and why some are not proved.
+fn accuracy(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
+    let how = pages
+        .accuracy
+        .as_ref()
+        .map_or(String::new(), |page| format!(" <a href=\"{}\">How we know</a>", escape(&relative(&at.page, page))));
+    let items = each(&entry.not_proved, |why| format!("<li>{}</li>", pages.text(at, why)));
+    let items = if items.is_empty() { items } else { format!("<ul>{items}</ul>") };
+    format!("{}.{how}{items}", pages.text(at, &entry.accuracy))
 }
 
 /// The title of a document, as a link if it has one.

@@ -9,6 +9,7 @@ use super::worked;
 use crate::evidence::Evidence;
 use crate::files::short_digest;
 use crate::project::Project;
+use crate::prove;
 use crate::report::data::Report;
 use anyhow::Context;
 use jointproof::catalog::{AnyFormula, KinkEntry};
@@ -114,6 +115,8 @@ fn entry(project: &Project, formula: &dyn AnyFormula, index: &Index<'_>, evidenc
         inputs: formula.inputs().iter().map(symbol).collect(),
         outputs: formula.outputs().iter().map(symbol).collect(),
         kinks: formula.kinks().iter().map(|entry| kink(entry, [formula.inputs(), formula.outputs()])).collect(),
+        accuracy: prove::accuracy(project, formula, evidence.audits.get(spec.id)),
+        not_proved: prove::reasons(project, formula),
         code: code(index, formula.path(), type_name),
         tests: index.tests_naming(spec.id, type_name),
         golden: golden.as_ref().map(counts),

@@ -32,6 +32,8 @@ pub(crate) struct Pages<'a> {
     pub(crate) places: BTreeMap<String, Place>,
     /// The page with the evidence of all formulas.
     pub(crate) evidence: Option<String>,
+    /// The page with the bounds of all formulas.
+    pub(crate) accuracy: Option<String>,
     /// The number of each chapter that has one, by its page: `2.1`.
     pub(crate) chapters: BTreeMap<String, String>,
     /// How many displayed equations each page has so far.
@@ -45,7 +47,7 @@ impl<'a> Pages<'a> {
     pub(crate) fn new(content: &'a Content, later: &'a Deferred) -> Self {
         let (places, chapters) = (BTreeMap::new(), BTreeMap::new());
         let (equations, faults) = (RefCell::default(), RefCell::default());
-        Self { content, math: Math::new(), later, places, evidence: None, chapters, equations, faults }
+        Self { content, math: Math::new(), later, places, evidence: None, accuracy: None, chapters, equations, faults }
     }
 
     /// Records a fault.

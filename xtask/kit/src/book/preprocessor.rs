@@ -33,7 +33,7 @@ impl Preprocessor for Formulary {
 
     fn run(&self, _: &PreprocessorContext, mut book: Book) -> Result<Book> {
         let mut pages = Pages::new(&self.content, &self.later);
-        let (mut scans, mut entries, mut evidence) = (Vec::new(), Vec::new(), None);
+        let (mut scans, mut entries) = (Vec::new(), Vec::new());
         book.for_each_chapter_mut(|chapter| {
             let (shown, _) = numeral::shown(&chapter.content);
             chapter.content = with_texts(&self.content, &shown);
@@ -41,13 +41,14 @@ impl Preprocessor for Formulary {
             if let Some(number) = &chapter.number {
                 pages.chapters.insert(page(chapter), number.to_string().trim_end_matches('.').to_owned());
             }
-            if found.iter().any(is_evidence) {
-                evidence = Some(page(chapter));
+            for (table, place) in [("evidence", &mut pages.evidence), ("accuracy", &mut pages.accuracy)] {
+                if found.iter().any(|found| is_directive(found, table)) {
+                    *place = Some(page(chapter));
+                }
             }
             scans.push(found);
         });
         note(entries, &mut pages);
-        pages.evidence = evidence;
         let places = pages.places.iter().map(|(id, at)| (id.clone(), format!("{}#{id}", at.page)));
         self.later.places.replace(places.collect());
         let mut scans = scans.into_iter();
@@ -102,6 +103,7 @@ impl Formulary {
             ("symbols", "") => tables::symbols(pages, at),
             ("kinks", "") => tables::kinks(pages, at),
             ("evidence", "") => tables::evidence(pages, at),
+            ("accuracy", "") => tables::accuracy(pages, at),
             ("sources", "") => tables::sources(pages, at),
             ("speed", part) => speed::part(pages, at, part).unwrap_or_else(|| unknown(pages, at, name, argument)),
             ("table", name) => tables::named(pages, at, name),
@@ -161,7 +163,7 @@ fn no_text(pages: &Pages<'_>, at: &Place, name: &str) -> String {
 /// An empty text, and a fault.
 fn unknown(pages: &Pages<'_>, at: &Place, name: &str, argument: &str) -> String {
     let known = format!(
-        "formula ID, equation ID, presentation WHY, figure NAME, output NAME, table NAME, text NAME, symbols, kinks, evidence, sources, {}",
+        "formula ID, equation ID, presentation WHY, figure NAME, output NAME, table NAME, text NAME, symbols, kinks, evidence, accuracy, sources, {}",
         speed::PARTS
     );
     let written = format!("{name} {argument}");
@@ -169,9 +171,9 @@ fn unknown(pages: &Pages<'_>, at: &Place, name: &str, argument: &str) -> String 
     String::new()
 }
 
-/// Whether this is the directive for the evidence of all formulas.
-fn is_evidence(found: &Found) -> bool {
-    matches!(&found.piece, Piece::Directive { name, .. } if name == "evidence")
+/// Whether this is the directive for a table over all formulas.
+fn is_directive(found: &Found, table: &str) -> bool {
+    matches!(&found.piece, Piece::Directive { name, .. } if name == table)
 }
 
 /// The location of a line in a chapter.

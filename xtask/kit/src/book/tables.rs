@@ -129,6 +129,14 @@ fn evidence_row(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
     ])
 }
 
+/// `{{#accuracy}}`: the bounds of η of every formula, and how they are known.
+pub(crate) fn accuracy(pages: &Pages<'_>, at: &Place) -> String {
+    let rows = each(&pages.content.entries, |entry| {
+        row(&[("", pages.link(&at.page, &entry.id)), ("wide", pages.text(at, &entry.accuracy))])
+    });
+    pages.later.keep(&table("index", &["Formula", "Bounds of η"], &rows), "")
+}
+
 /// The largest deviation and its bound, `0.9 ≤ 4`.
 fn bounded(claim: &Claim) -> String {
     match &claim.worst {

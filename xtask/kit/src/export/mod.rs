@@ -93,7 +93,7 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     }
     let Some(lang) = arguments.lang else { return Ok(verdict(true)) };
     let formulas = arguments.selection.formulas(project)?;
-    let (recorded, not_recorded) = record(&formulas, Some(&project.golden()));
+    let (recorded, not_recorded) = record(&formulas, Some(project));
     let language = lang.language();
     let (recorded, refused): (Vec<_>, Vec<_>) = recorded.into_iter().partition(|one| language.refuses(one).is_none());
     let not_recorded = not_recorded.into_iter().map(|(formula, why)| (formula, why.to_string()));

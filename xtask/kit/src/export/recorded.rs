@@ -1,11 +1,13 @@
 //! A formula to be exported, and its parts common to all languages: names, description, and the inputs it rejects.
 
 use super::names;
-use crate::files;
+use crate::project::Project;
+use crate::{files, prove};
 use jointproof::Error;
 use jointproof::catalog::AnyFormula;
+use jointproof::formula::Field;
 use jointproof::formula::quantity::Domain;
-use jointproof::formula::{Bounds, Field};
+use jointproof::toolkit::bound;
 use jointproof::toolkit::graph::{Graph, Node, NotRecorded};
 use rayon::iter::{Either, IntoParallelRefIterator, ParallelIterator};
 use std::collections::HashMap;
@@ -19,12 +21,14 @@ pub(super) struct Recorded {
     pub(super) names: HashMap<Node, String>,
     /// The SHA-256 of the golden file, where there is one.
     checksum: Option<String>,
+    /// Its bounds of η in words.
+    accuracy: String,
 }
 
-/// The graphs of formulas, and the formulas without one. The golden files in this folder are identified by their checksums.
+/// The graphs of formulas, and the formulas without one. The golden files of a project are identified by their checksums.
 pub(super) fn record(
     formulas: &[&'static dyn AnyFormula],
-    golden: Option<&Path>,
+    project: Option<&Project>,
 ) -> (Vec<Recorded>, Vec<(&'static dyn AnyFormula, NotRecorded)>) {
     let of = |&formula: &&'static dyn AnyFormula| match formula.graph() {
         Ok(graph) => Either::Left((formula, graph)),
@@ -33,8 +37,12 @@ pub(super) fn record(
     let (known, refused): (Vec<_>, Vec<_>) = formulas.par_iter().partition_map(of);
     let names: Vec<_> = known.iter().map(|one| names::of(one, &known)).collect();
     let recorded = known.into_iter().zip(names).map(|((formula, graph), names)| {
-        let checksum = golden.and_then(|folder| checksum(&folder.join(format!("{}.json", formula.spec().id))));
-        Recorded { formula, graph, names, checksum }
+        let checksum = project.and_then(|project| checksum(&project.golden_file(formula.spec().id)));
+        let accuracy = project.map_or_else(
+            || bound::accuracy(&formula.spec(), None, [None; 2]),
+            |project| prove::accuracy(project, formula, None),
+        );
+        Recorded { formula, graph, names, checksum, accuracy }
     });
     (recorded.collect(), refused)
 }
@@ -111,10 +119,9 @@ pub(super) fn description(one: &Recorded) -> Vec<String> {
     lines.extend([String::new(), spec.latex.to_owned(), String::new()]);
     lines.extend(fields("in ", one.formula.inputs()).chain(fields("out", one.formula.outputs())));
     lines.push(String::new());
-    let (Bounds { value, jacobian }, by) = spec.bounds();
-    let jacobian = jacobian.map_or(String::new(), |bound| format!(", <= {bound} of the Jacobian"));
-    lines.push(format!("eta <= {value} of the value{jacobian}{by}, in units of 2^-53"));
-    lines.push(format!("where inputs are 0 or {} in size", spec.sizes()));
+    // Compilers of Fortran ask for ASCII.
+    let accuracy = one.accuracy.replace('η', "eta").replace('≤', "<=");
+    lines.push(format!("{accuracy}; in units of 2^-53, where inputs are 0 or {} in size", spec.sizes()));
     lines.extend(one.formula.kinks().iter().map(|kink| format!("kink: {}", kink.condition)));
     lines.push(format!("Golden cases: golden/{}.json of jointproof {}", spec.id, env!("CARGO_PKG_VERSION")));
     lines.extend(one.checksum.iter().map(|checksum| format!("SHA-256 {checksum}")));
@@ -265,15 +272,17 @@ mod tests {
 
     #[test]
     fn a_golden_file_is_told_by_its_checksum_where_there_is_one() {
-        let folder = tempfile::tempdir().unwrap();
+        let root = tempfile::tempdir().unwrap();
+        let project = Project::new("told", root.path().to_str().unwrap().to_owned().leak(), &[]);
         let formula = jointproof::catalog::find("slot.contact_force").unwrap();
-        let said = |folder| {
-            let (recorded, _) = record(&[formula], folder);
+        let said = |project| {
+            let (recorded, _) = record(&[formula], project);
             description(&recorded[0]).into_iter().filter(|line| line.starts_with("SHA-256 ")).collect::<Vec<_>>()
         };
-        assert_eq!((said(None), said(Some(folder.path()))), (vec![], vec![]));
-        std::fs::write(folder.path().join("slot.contact_force.json"), "").unwrap();
+        assert_eq!((said(None), said(Some(&project))), (vec![], vec![]));
+        std::fs::create_dir(project.golden()).unwrap();
+        std::fs::write(project.golden_file("slot.contact_force"), "").unwrap();
         let empty = "SHA-256 e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855";
-        assert_eq!(said(Some(folder.path())), [empty]);
+        assert_eq!(said(Some(&project)), [empty]);
     }
 }

@@ -6,6 +6,7 @@ use super::{against, export, tables};
 use crate::console::{print, say};
 use crate::outcome::{Outcome, verdict};
 use crate::project::Project;
+use crate::prove;
 use crate::selection::Selection;
 use anyhow::Context;
 use jointproof::catalog::AnyFormula;
@@ -109,11 +110,12 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     }
     let is_asked = arguments.selection.is_asked()?;
     let comparison = old.map(|old| against::compare(&old, &report, is_asked));
+    let accuracy = |id: &str| project.find(id).map(|formula| prove::accuracy(project, formula, None));
     match (arguments.format, &comparison) {
         (Format::Json, _) => print(&serde_json::to_string_pretty(&report)?)?,
         (Format::Text | Format::Markdown, Some(comparison)) => print(&comparison.text())?,
-        (Format::Text, None) => print(&tables::text(&report)?)?,
-        (Format::Markdown, None) => print(&tables::markdown(&report)?)?,
+        (Format::Text, None) => print(&tables::text(&report, &accuracy)?)?,
+        (Format::Markdown, None) => print(&tables::markdown(&report, &accuracy)?)?,
     }
     if let (Format::Json, Some(comparison)) = (arguments.format, &comparison) {
         say(&comparison.text());

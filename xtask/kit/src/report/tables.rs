@@ -80,7 +80,10 @@ const HEAD: [&str; 11] = [
     "relative",
 ];
 
-pub(super) fn text(report: &Report) -> anyhow::Result<String> {
+/// What is said of the bounds of a formula, if it is known.
+pub(super) type Accuracy<'a> = &'a dyn Fn(&str) -> Option<String>;
+
+pub(super) fn text(report: &Report, accuracy: Accuracy<'_>) -> anyhow::Result<String> {
     let mut text = String::new();
     for measurement in &report.formulas {
         let Measurement { formula, inputs, outputs, random_points, hard_points, .. } = measurement;
@@ -88,6 +91,9 @@ pub(super) fn text(report: &Report) -> anyhow::Result<String> {
             measurement.copy.map_or(String::new(), |copy| format!("; copying all takes {}", duration(copy.median)));
         writeln!(text, "{} {outputs} outputs of {inputs} inputs{copy}", bold(formula))?;
         writeln!(text, "  errors at {random_points} random and {hard_points} hard points")?;
+        if let Some(said) = accuracy(formula) {
+            writeln!(text, "  {said}")?;
+        }
         let rows: Vec<_> = measurement.methods.iter().map(cells).collect();
         let width = |k: usize| {
             let cells = rows.iter().map(|row| row[k].chars().count());
@@ -154,13 +160,16 @@ fn footer(report: &Report) -> String {
     )
 }
 
-pub(super) fn markdown(report: &Report) -> anyhow::Result<String> {
+pub(super) fn markdown(report: &Report, accuracy: Accuracy<'_>) -> anyhow::Result<String> {
     let mut text = String::from("## Speed against error\n\n");
     for measurement in &report.formulas {
         writeln!(text, "### `{}`\n", measurement.formula)?;
         writeln!(text, "| {} |\n|---|{}", HEAD.join(" | "), "--:|".repeat(HEAD.len() - 1))?;
         for method in &measurement.methods {
             writeln!(text, "| {} |", cells(method).join(" | "))?;
+        }
+        if let Some(said) = accuracy(&measurement.formula) {
+            writeln!(text, "\nThe closed form, {said}.")?;
         }
         if let Some(columns) = &measurement.columns {
             writeln!(text, "\n{}.", many(columns))?;
@@ -180,6 +189,10 @@ mod tests {
     use expect_test::expect_file;
     use jointproof::toolkit::measure::Quantiles;
 
+    fn bounds(_: &str) -> Option<String> {
+        Some("value: η ≤ 4, measured; Jacobian: η ≤ 5/3, proved".into())
+    }
+
     #[test]
     fn durations_have_three_digits_and_a_fitting_unit() {
         let shown = [0.5124, 9.99, 12.34, 456.7, 1e3, 1234.0, 1e6, 2.5e7].map(duration);
@@ -193,8 +206,8 @@ mod tests {
     fn a_report_says_what_was_measured() {
         let report = crate::sample::report();
         let plain = |text: String| anstream::adapter::strip_str(&text).to_string();
-        expect_file!["../../tests/printed/report.txt"].assert_eq(&plain(text(&report).unwrap()));
-        expect_file!["../../tests/printed/report.md"].assert_eq(&plain(markdown(&report).unwrap()));
+        expect_file!["../../tests/printed/report.txt"].assert_eq(&plain(text(&report, &bounds).unwrap()));
+        expect_file!["../../tests/printed/report.md"].assert_eq(&plain(markdown(&report, &bounds).unwrap()));
     }
 
     #[test]
@@ -233,8 +246,8 @@ mod tests {
         let line = "300 rows of columns, 40 bytes each: a loop 50.0 ns; a batch 20.0 ns, that is 0.40 of the loop and 2.5 of a \
                     copy; with 3 threads 10.0 ns, 0.20 and 5.5";
         for (text, line) in [
-            (text(&report).unwrap(), format!("\n    {line}\n")),
-            (markdown(&report).unwrap(), format!("\n\n{line}.\n")),
+            (text(&report, &bounds).unwrap(), format!("\n    {line}\n")),
+            (markdown(&report, &bounds).unwrap(), format!("\n\n{line}.\n")),
         ] {
             assert_eq!(text.matches(&line).count(), 1, "{text}");
             assert!(text.contains("a target a profile, -C something, seed 9\n"), "{text}");

@@ -8,7 +8,7 @@ use expect_test::expect_file;
 
 /// The chapters are one page with everything that is generated.
 const ALL: &str = "# One\n\n{{#formula t.first}}\n\n{{#formula t.second}}\n\n{{#formula u.second}}\n\n## Symbols\n\n\
-                   {{#symbols}}\n\n## Kinks\n\n{{#kinks}}\n\n## Evidence\n\n{{#evidence}}\n\n## Sources\n\n{{#sources}}\n\n\
+                   {{#symbols}}\n\n## Kinks\n\n{{#kinks}}\n\n## Evidence\n\n{{#evidence}}\n\n## Sources\n\n{{#sources}}\n\n## Accuracy\n\n{{#accuracy}}\n\n\
                    ## Speed\n\n{{#speed about}}\n\n{{#speed verdict}}\n\n{{#speed table}}\n\n{{#speed differences}}\n\n\
                    {{#speed own}}\n\n{{#speed own t}}\n";
 
@@ -42,6 +42,8 @@ fn entry(id: &str, evidence: Evidence) -> Entry {
             symbol("n", r"\mathbf{n}", "vec3", "1", ""),
         ],
         outputs: vec![symbol("fc", "F_C", "scalar", "FL", "")],
+        accuracy: format!("accuracy of {id}"),
+        not_proved: vec![format!("why of {id}")],
         evidence,
         ..Entry::default()
     }
