@@ -1,19 +1,30 @@
 //! The errors. Rows of a Jacobian are the outputs, columns the inputs, with components in the order of the entry.
 
 use super::piece::Piece;
-use super::shipped::{Inputs, Mistake, Right, Rows, Shipped, changed, rows};
+use super::shipped::{Inputs, Mistake, Right, Rows, Shipped, changed, judged, rows};
 use jointproof::connector::{slot, ujoint, universal};
 use jointproof::contact::{coulomb, slide_line};
 use jointproof::element;
 use jointproof::formula::Formula;
 use jointproof::number::scalar::{Scalar, norm};
 use jointproof::toolkit::verify::{Audit, Options, audit};
+use judge::Judged;
 
-const OPTIONS: Options = Options { samples: 40, seed: 1 };
+pub(super) const OPTIONS: Options = Options { samples: 40, seed: 1 };
 
 fn piece<M: Mistake>([thread, there, here]: [&'static str; 3], claim: &'static str) -> Piece {
     let control: fn() -> Audit = || audit::<Shipped<Right<M::Of>>>(&OPTIONS);
-    Piece { thread, there, here, formula: M::Of::SPEC.id, claim, audit: || audit::<Shipped<M>>(&OPTIONS), control }
+    let judged: [fn() -> Judged; 2] = [judged::<M>, judged::<Right<M::Of>>];
+    Piece {
+        thread,
+        there,
+        here,
+        formula: M::Of::SPEC.id,
+        claim,
+        audit: || audit::<Shipped<M>>(&OPTIONS),
+        control,
+        judged,
+    }
 }
 
 const CLOSED: &str = "closed form = automatic differentiation";
