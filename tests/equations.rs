@@ -3,13 +3,14 @@
 //! Their agreement with the code, in value and Jacobian, is a claim of the audit.
 
 mod mutations;
+mod spellings;
 
 use jointproof::catalog::{CATALOG, find};
 use jointproof::connector::slot::{Contact, ContactForce, CrossForces};
 use jointproof::formula::proof::{Case, Kink, Proved};
 use jointproof::formula::quantity::{self, Domain, Quantity, Unit};
 use jointproof::formula::{Component, Formula, Jacobian, Spec};
-use jointproof::toolkit::equation::{Claims, Equation, Setting, Signature, View};
+use jointproof::toolkit::equation::{Claims, Equation, Setting, View};
 use jointproof::toolkit::verify::{self, Options};
 use jointproof::{Scalar, fields};
 use mutations::mutants;
@@ -91,7 +92,7 @@ fn an_audit_of_the_equation_alone_compares_it_where_an_audit_does() {
 fn what_cannot_be_read_is_named_with_its_place() {
     let formula = find("slot.contact_force").unwrap();
     let error = |latex| {
-        let error = Equation::read(latex, &[], formula.inputs(), formula.outputs()).unwrap_err();
+        let error = Equation::read(latex, &[], &formula.signature()).unwrap_err();
         assert!(error.to_string().contains(&format!("byte {}: ", error.at())), "{error} at {}", error.at());
         error.to_string()
     };
@@ -99,14 +100,18 @@ fn what_cannot_be_read_is_named_with_its_place() {
     for (latex, expected) in [
         (r"F_C = \sqrt{f_2^2 + f_4^2}", "byte 20: f_4 is nobody's symbol"),
         (r"F_C = \sqrt{f_2^2 + }", "byte 20: a number, a symbol or a bracket was expected here"),
-        (r"F_C = \lvert f_2\rvert", "byte 0: the input f_3 is not needed for any output"),
         (r"F_C = f_2 f_3,\quad x = f_2", "byte 20: x is defined and not needed"),
         (r"F_C = f_2 f_3,\quad F_C = f_2", "byte 20: F_C is defined twice"),
         (r"F_C = a f_2 f_3,\quad a = b,\quad b = a", "a is defined by itself"),
+        (r"F_C = \hat{f}_2 + f_3", "byte 6: hat f_2 is nobody's symbol"),
+        (r"F_C = \sqrt[3]{f_2}", "byte 11: a square root: others are powers, as in `x^{3/2}`; was expected here"),
+        (r"F_C = \sin f_2^2", r"byte 14: this is read in two ways: write `\sin^2 x` or `\sin(x^2)`"),
+        (r"F_C = f_2^{1/3} + f_3", "byte 9: a power is a whole number up to 9, half of one, or the negative of either"),
+        (r"F_C = |f_2 + f_3", r"byte 16: the bar that closes this size, `\rvert` or `|`, was expected here"),
         (r"F_C = f_2/f_3 f_2", "byte 14: what follows a slash and its divisor is read in two ways: use a fraction"),
         (r"F_C = f_2 f_3\quad \text{if } f_2 > 0", r"byte 30: an operator, a comma or `\quad` was expected here"),
         (r"F_C = f_2 f_3\quad\text{twice 2}", "byte 18: a remark holds words only, not `2`: mathematics is executed"),
-        (r"F_C = f_2 f_3 \pm 1", "byte 14: a number, a symbol or a bracket was expected here"),
+        (r"F_C = f_2 f_3 \pm 1", r"byte 14: `\pm` is not read here: two equations are two calls"),
         (r"F_C = \mathbf{f}\cdot\mathbf{f} f_2 f_3", "f (a vector) is nobody's symbol"),
     ] {
         let found = error(latex);
@@ -122,7 +127,7 @@ fn what_cannot_be_read_is_named_with_its_place() {
 fn what_is_made_from_an_equation_is_its_formula() {
     let options = Options { samples: 5, seed: 3 };
     for formula in CATALOG {
-        let signature = Signature { spec: formula.spec(), inputs: formula.inputs(), outputs: formula.outputs() };
+        let signature = formula.signature();
         let (id, view) = (signature.spec.id, View::of(&signature).unwrap().expect("no symbol has two meanings"));
         if let Some(closed) = view.equation(&signature).unwrap() {
             let difference = formula.trial(&options).first_difference(&closed);
@@ -178,7 +183,7 @@ fn a_wrong_symbol_fails_the_audit_and_nothing_else_does() {
 #[test]
 fn claims_of_prose_are_held_or_not() {
     let formula = find("coulomb.return_map").unwrap();
-    let of = Signature { spec: formula.spec(), inputs: formula.inputs(), outputs: formula.outputs() };
+    let of = formula.signature();
     let verdict = |latex: &str, condition: &str| {
         let setting = Setting { of: Some(of), condition: condition.into(), ..Setting::default() };
         let claims = Claims::read(latex, &setting).map_err(|error| error.to_string())?;
@@ -208,7 +213,7 @@ fn claims_of_prose_are_held_or_not() {
 fn decimals_are_what_they_say() {
     let formula = find("slot.contact_force").unwrap();
     let value = |latex| {
-        let equation = Equation::read(latex, &[], formula.inputs(), formula.outputs()).unwrap();
+        let equation = Equation::read(latex, &[], &formula.signature()).unwrap();
         equation.values(&[3.0_f64, 5.0], &[])[0]
     };
     assert_eq!(value(r"F_C = 12.375\,f_2 + 0.25\,f_3"), 38.375);

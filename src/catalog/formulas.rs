@@ -6,7 +6,7 @@ use crate::formula::proof::{Case, Convention, Flag, Proved};
 use crate::formula::{Described, Field, Fields, Formula, check, entries, value, value_and_jacobian};
 #[cfg(feature = "measure-by-id")]
 use crate::toolkit::batch::{self, ArrayView1, ArrayViewMut1};
-use crate::toolkit::equation::Claims;
+use crate::toolkit::equation::{Claims, Signature};
 use crate::toolkit::graph::{self, Extremes, Graph, NotRecorded};
 #[cfg(feature = "measure")]
 use crate::toolkit::measure;
@@ -126,6 +126,10 @@ pub trait AnyFormula: Described {
     fn eta_at(&self, components: &[f64]) -> Result<Vec<Claim>, Error> {
         self.value_and_closed_jacobian(components)?;
         Ok(eta_point(&self.subject(), components.to_vec()))
+    }
+    /// The specification with inputs and outputs, as equations refer to it.
+    fn signature(&self) -> Signature {
+        Signature { spec: self.spec(), inputs: self.inputs(), outputs: self.outputs() }
     }
     /// Points at which an equation written by somebody else can be tried.
     fn trial(&self, options: &Options) -> Trial {

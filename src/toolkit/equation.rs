@@ -26,18 +26,21 @@
 //! | `\mathbf{s}\times\mathbf{n}` | **n** rotated by 90° to the left, in the plane |
 //! | `\text{…}` between statements | a remark, of words only |
 //!
+//! Spellings that mean the same are read too, such as `|x|`, `\left|x\right|`, `^{1/2}`, `\vec{x}`, `_{\text{C}}`, `\arctan`, `\min`
+//! and displays in `$…$` or `\begin{equation}`; a [`Reading`] of what somebody else has written also characters such as √ and α, and
+//! plain text: `fc = sqrt(f2**2 + f3**2)`.
+//!
 //! A symbol is an input of the entry, is defined by a statement, or comes from another formula by [`Given`]. Anything
 //! else is an error with its position. Every input and every statement must be used.
 //!
 //! ```
 //! use jointproof::toolkit::equation::Equation;
-//! use jointproof::formula::{Fields, Formula};
-//! use jointproof::connector::slot::{Contact, ContactForce, CrossForces};
+//! use jointproof::catalog::AnyFormula;
+//! use jointproof::connector::slot::ContactForce;
 //!
-//! let (inputs, outputs) = (CrossForces::<f64>::FIELDS, Contact::<f64>::FIELDS);
-//! let equation = Equation::of(&ContactForce::SPEC, inputs, outputs)?;
+//! let equation = Equation::read(r"F_C = \sqrt{f_2^2 + f_3^2}", &[], &ContactForce.signature())?;
 //! assert_eq!(equation.values(&[3.0, 4.0], &[]), [5.0]);
-//! let error = Equation::read(r"F_C = \sqrt{f_2^2 + f_4^2}", &[], inputs, outputs).unwrap_err();
+//! let error = Equation::read(r"F_C = \sqrt{f_2^2 + f_4^2}", &[], &ContactForce.signature()).unwrap_err();
 //! assert_eq!(error.to_string(), "the equation of yours, byte 20: f_4 is nobody's symbol");
 //! # Ok::<(), jointproof::toolkit::equation::Error>(())
 //! ```
@@ -51,6 +54,7 @@ mod latex;
 mod lower;
 mod name;
 mod parse;
+mod reading;
 mod rounding;
 mod scope;
 mod statement;
@@ -70,6 +74,7 @@ pub use claims::{Claims, Setting, Signature};
 pub use error::Error;
 use lower::{Place, Writer};
 use name::Name;
+pub use reading::Reading;
 use scope::Entries;
 use std::collections::BTreeSet;
 use syntax::ArgMin;
@@ -81,6 +86,8 @@ pub use view::View;
 pub struct Equation {
     /// The outputs are its value.
     graph: Graph,
+    /// The components of the formula's outputs that these are.
+    places: Vec<usize>,
     /// All nodes to be evaluated, in order.
     needed: Vec<Node>,
     /// Pairs of forms that are printed as equal.
@@ -132,32 +139,6 @@ impl Equation {
         Self::new(spec.id, spec.latex, spec.given, &named(inputs)?, &named(outputs)?)
     }
 
-    /// Another equation with the symbols of a formula, some of which may be renamed: `("a", "f2")`. If a formula has a
-    /// single output that no statement defines, it is what the first statement defines.
-    ///
-    /// # Errors
-    /// As for [`Equation::of`].
-    pub fn read(latex: &str, renamed: &[(&str, &str)], inputs: &[Field], outputs: &[Field]) -> Result<Self, Error> {
-        let named = |fields| {
-            let mut all = named(fields)?;
-            for (name, field) in &mut all {
-                if let Some((symbol, _)) = renamed.iter().find(|(_, other)| *other == field.name) {
-                    *name = symbol_of(symbol)?;
-                }
-            }
-            Ok(all)
-        };
-        let mut outputs = named(outputs)?;
-        // A single output may have any name.
-        let written = statement::statements(latex, Vec::new()).map_err(|error| error.of_entry("yours", "equation"))?;
-        if let ([(name, _)], Some(first)) = (&mut outputs[..], written.first())
-            && !written.iter().any(|statement| statement.names[0] == *name)
-        {
-            name.clone_from(&first.names[0]);
-        }
-        Self::new("yours", latex, &[], &named(inputs)?, &outputs)
-    }
-
     /// An equation with the symbols of a formula, treated as that formula's own.
     ///
     /// # Errors
@@ -174,14 +155,28 @@ impl Equation {
         outputs: &[(Name, Field)],
     ) -> Result<Self, Error> {
         let entries = Entries::read(id, latex, given)?;
-        let mut writer = Writer::new(&entries, inputs);
-        let mut ids = Vec::new();
+        Self::written_by(Writer::new(&entries, inputs), inputs, outputs, id)
+    }
+
+    fn written_by(
+        mut writer: Writer<'_>,
+        inputs: &[(Name, Field)],
+        outputs: &[(Name, Field)],
+        id: &'static str,
+    ) -> Result<Self, Error> {
+        let (mut ids, mut places, mut component) = (Vec::new(), Vec::new(), 0);
         let mut smallest = None;
         for (name, field) in outputs {
-            if let Some(place) = entries.arg_min(name) {
+            if let Some(place) = writer.entries.arg_min(name) {
                 smallest = Some((ids.len(), place));
             }
-            ids.extend(output(&mut writer, name, field).map_err(|error| error.of_entry(id, "equation"))?);
+            let found = output(&mut writer, name, field).map_err(|error| error.of_entry(id, "equation"))?;
+            let known = found.into_iter().enumerate().filter_map(|(k, id)| id.map(|id| (component + k, id)));
+            for (place, id) in known {
+                places.push(place);
+                ids.push(id);
+            }
+            component += field.len();
         }
         let smallest = match smallest {
             None => None,
@@ -195,7 +190,7 @@ impl Equation {
             ids.iter().copied().chain(equal.iter().flat_map(|&(a, b)| [a, b])).chain(of_smallest).collect();
         let needed = graph.needed(&asked);
         graph.value = ids;
-        Ok(Self { graph, needed, equal, smallest })
+        Ok(Self { graph, places, needed, equal, smallest })
     }
 
     /// The operations that are printed, from the inputs to the outputs; `None` if an output is a minimiser, which has to be searched for.
@@ -214,10 +209,15 @@ impl Equation {
         !on_kink || self.smallest.is_none()
     }
 
+    /// The components of the formula's outputs that it defines, in order.
+    pub fn places(&self) -> &[usize] {
+        &self.places
+    }
+
     /// The inputs, followed by the minimiser if there is one.
     pub(crate) fn point<T: graph::Number>(&self, inputs: &[T], known: &[T]) -> Vec<T> {
         let nowhere = || T::from(f64::NAN);
-        let place = self.smallest.iter().map(|s| known.get(s.output).copied().unwrap_or_else(nowhere));
+        let place = self.smallest.iter().map(|s| known.get(self.places[s.output]).copied().unwrap_or_else(nowhere));
         inputs.iter().copied().chain(place).collect()
     }
 
@@ -270,7 +270,16 @@ impl Equation {
 
 /// The fields with their symbols.
 fn named(fields: &[Field]) -> Result<Vec<(Name, Field)>, Error> {
-    fields.iter().map(|&field| Ok((symbol_of(field.quantity.latex)?, field))).collect()
+    named_by(&[], fields)
+}
+
+/// The fields with their symbols, some of which are renamed: `("a", "f2")`.
+fn named_by(renamed: &[(&str, &str)], fields: &[Field]) -> Result<Vec<(Name, Field)>, Error> {
+    let symbol = |field: &Field| {
+        let other = renamed.iter().find(|(_, name)| *name == field.name);
+        symbol_of(other.map_or(field.quantity.latex, |(symbol, _)| symbol))
+    };
+    fields.iter().map(|&field| Ok((symbol(&field)?, field))).collect()
 }
 
 /// Parses a single symbol.
@@ -283,26 +292,36 @@ fn symbol_of(latex: &str) -> Result<Name, Error> {
     }
 }
 
-/// The components of an output, which the equation must define either as a whole or one by one.
-fn output(writer: &mut Writer<'_>, name: &Name, field: &Field) -> Result<Vec<Node>, Error> {
+/// The components of an output, which the equation defines either as a whole or one by one; somebody else's equation need not define all.
+fn output(writer: &mut Writer<'_>, name: &Name, field: &Field) -> Result<Vec<Option<Node>>, Error> {
     let at = 0;
     let wrong = || Error::new(at, format!("{name} should have {} components", field.len()));
-    if field.len() > 1 && writer.defines(&name.at(1)) {
-        let parts = (1..=field.len()).map(|k| match writer.symbol(&name.at(k), at, Place::ROOT)? {
-            Value::Scalar(id) => Ok(id),
-            _ => Err(wrong()),
-        });
-        return parts.collect();
+    let parts: Vec<_> = (1..=field.len()).map(|k| field.len() > 1 && writer.defines(&name.at(k))).collect();
+    let needs_all = !writer.is_lenient;
+    if parts.iter().any(|&is_defined| is_defined) && (needs_all || !writer.defines(name)) {
+        let part = |(k, is_defined): (usize, bool)| match is_defined || needs_all {
+            true => match writer.symbol(&name.at(k + 1), at, Place::ROOT)? {
+                Value::Scalar(id) => Ok(Some(id)),
+                _ => Err(wrong()),
+            },
+            false => Ok(None),
+        };
+        return parts.into_iter().enumerate().map(part).collect();
     }
     if !writer.defines(name) {
-        return Err(Error::new(at, format!("the output {name} is not defined")));
+        let undefined = || Error::new(at, format!("the output {name} is not defined"));
+        return if needs_all { Err(undefined()) } else { Ok(vec![None; field.len()]) };
     }
     match writer.symbol(name, at, Place::ROOT)? {
-        Value::Scalar(id) if field.len() == 1 => Ok(vec![id]),
-        Value::Vector(parts) if !is_matrix(field) && field.len() == parts.len() => Ok(parts),
-        Value::Matrix(parts) if is_matrix(field) && field.len() == parts.len() => Ok(parts),
+        Value::Scalar(id) if field.len() == 1 => Ok(vec![Some(id)]),
+        Value::Vector(parts) if !is_matrix(field) && field.len() == parts.len() => Ok(wrapped(parts)),
+        Value::Matrix(parts) if is_matrix(field) && field.len() == parts.len() => Ok(wrapped(parts)),
         _ => Err(wrong()),
     }
+}
+
+fn wrapped(parts: Vec<Node>) -> Vec<Option<Node>> {
+    parts.into_iter().map(Some).collect()
 }
 
 const fn is_matrix(field: &Field) -> bool {
@@ -336,6 +355,9 @@ fn check_closed(writer: &Writer<'_>, needed: &[Node], inputs: &[(Name, Field)]) 
     if let Some((statement, _)) = idle {
         return Err(Error::new(statement.at, format!("{} is defined and not needed", statement.names[0])));
     }
+    if writer.is_lenient {
+        return Ok(());
+    }
     let idle = own.given.iter().zip(&writer.taken).find(|(_, used)| !*used);
     if let Some((taken, _)) = idle {
         return Err(Error::new(0, format!("{} is taken from elsewhere and not needed", taken.name)));
@@ -355,13 +377,13 @@ fn check_closed(writer: &Writer<'_>, needed: &[Node], inputs: &[(Name, Field)]) 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::formula::quantity::{F2, F3, FC};
+    use crate::catalog::AnyFormula;
+    use crate::connector::slot::ContactForce;
 
     #[test]
     fn a_number_is_not_defined_by_what_looks_like_a_component_of_it() {
-        let (inputs, outputs) = ([Field::new("f2", &F2), Field::new("f3", &F3)], [Field::new("fc", &FC)]);
         let latex = r"F = \sqrt{F_1 + f_3^2},\quad F_1 = f_2^2";
-        let equation = Equation::read(latex, &[("F", "fc")], &inputs, &outputs).expect("it can be read");
+        let equation = Equation::read(latex, &[("F", "fc")], &ContactForce.signature()).expect("it can be read");
         assert_eq!(equation.values(&[3.0, 4.0], &[]), [5.0]);
     }
 }

@@ -51,7 +51,8 @@ fn report(name: &str, function: fn([f64; 5]) -> [[f64; 6]; 3]) -> anyhow::Result
         Answer::Numbers(values.chain(rows.iter().flat_map(|row| row[1..].iter().copied())).map(Some).collect())
     };
     let answers: Vec<_> = called.points().map(answer).collect();
-    let judged = called.judge(name, &[answers.clone(), answers], false).context("every point has an answer")?;
+    let judged =
+        called.judge(name, &[answers.clone(), answers], false, Vec::new()).context("every point has an answer")?;
     Ok(judged.text)
 }
 

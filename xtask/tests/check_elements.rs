@@ -94,6 +94,67 @@ fn mistakes_around_an_element_are_found() {
     }
 }
 
+/// A UEL of SLIDER as a textbook has it, with texts replaced.
+fn slider(bench: &Bench, texts: &[(&str, &str)]) -> Ran {
+    let base = include_str!("families/uel.f90");
+    let (head, body) = base.split_once("    ! begin\n").unwrap();
+    let calls = body.find("    code = jp_slider_constraint").unwrap()
+        ..body.find("    if (lflags(3) == 1 .or. lflags(3) == 5)").unwrap();
+    let textbook = concat!(
+        "    with_first = first\n    with_second = second\n",
+        include_str!("families/textbook.f90"),
+        "    g = gaps\n    of_g = of_gaps\n    f = loads\n    of_f = of_loads\n"
+    );
+    let head: Vec<_> = head.lines().filter(|line| !line.trim_start().starts_with("use ")).collect();
+    let declared = include_str!("families/textbook_declared.f90");
+    let whole = format!("{}\n{declared}{}{textbook}{}", head.join("\n"), &body[..calls.start], &body[calls.end..]);
+    let whole = texts.iter().fold(whole, |whole, (from, to)| {
+        assert!(whole.contains(from), "{from}");
+        whole.replace(from, to)
+    });
+    std::fs::write(bench.path("routine.f90"), whole).unwrap();
+    compile(bench, &["-ffree-line-length-none", "-o", "port", "routine.f90", "uel_driver.f90"]);
+    let program = bench.path("port");
+    bench.run(&["check", "--element", "slider", "--", program.to_str().unwrap()])
+}
+
+/// Off its line, where an iteration of Newton's method hands it in, a UEL may have the derivative of its conditions or the rows
+/// that it has on the line; what is wrong on the line stays wrong.
+#[test]
+fn a_slider_off_its_line_is_right_in_either_way() {
+    if !Lang::Fortran.is_here() {
+        return;
+    }
+    let bench = Bench::new();
+    let out = bench.path("");
+    bench.run(&["check", "--element", "slider", "--abi", "uel", "--out", out.to_str().unwrap()]).exits(0);
+    slider(&bench, &[]).exits(0).prints("with the derivative of its conditions in AMATRX also where they are violated");
+    // The rows of m on its line.
+    let on_line = [
+        (
+            "dot_product(moved(7:9) - moved(1:3), t0) + dot_product(xm - x1, dt0)",
+            "dot_product(moved(7:9) - (1 - share) * moved(1:3) - share * moved(4:6), t0)",
+        ),
+        (
+            "dot_product(moved(7:9) - moved(1:3), t9) + dot_product(xm - x1, dt9)",
+            "dot_product(moved(7:9) - (1 - share) * moved(1:3) - share * moved(4:6), t9)",
+        ),
+    ];
+    slider(&bench, &on_line).exits(0).prints("for LFLAGS(3) = 1, 2 and 5\n");
+    for wrong in [
+        ("dm = with_first * dt0 + with_second * dt9", "dm = 0"),
+        ("dm = with_first * dt0 + with_second * dt9", "dm = with_first * dt0 - with_second * dt9"),
+        ("dshare * on_m - (1 - share) * dm", "-(1 - share) * dm"),
+        ("rhs(10:11) = g", "rhs(10:11) = -g"),
+        ("amatrx(10, 1:9) = -of_g(:, 1)", "amatrx(10, 1:9) = of_g(:, 1)"),
+        ("-(1 - share) * on_m, -share * on_m, on_m", "-share * on_m, -(1 - share) * on_m, on_m"),
+        ("dot_product(xm - x1, dt0)", "2 * dot_product(xm - x1, dt0)"),
+        ("share = dot_product(xm - x1, n0) / length", "share = dot_product(xm - x1, n0)"),
+    ] {
+        slider(&bench, &[wrong]).exits(1).prints("it is not the element");
+    }
+}
+
 #[test]
 fn what_is_no_element_is_told() {
     let bench = Bench::new();

@@ -1,13 +1,14 @@
 //! Mathematical claims in prose, outside the equation of an entry.
 
+use super::cursor::Vocabulary;
 use super::error::Error;
 use super::lower::{Beside, Place, Writer};
 use super::name::Name;
 use super::scope::{Entries, Entry, Taken};
-use super::statement::{apart, chains, statements, symbols};
+use super::statement::{apart, chains, relations, statements, symbols};
 use super::syntax::{Body, Expr, Kind, Relation, Statement};
 use super::value::{Value, compare};
-use super::{named, rounding};
+use super::{named, named_by, rounding};
 use crate::formula::{Field, Spec};
 use crate::number::octuple::Octuple;
 use crate::toolkit::graph::{Graph, Node, Op};
@@ -47,6 +48,8 @@ pub struct Setting {
     pub above: Vec<String>,
     /// Values substituted for inputs of the formula: `L_a = 20,\ R_p = 1`.
     pub put: String,
+    /// For what somebody else has written, as LaTeX or as plain text: symbols that stand for inputs and outputs.
+    pub renamed: Option<Vec<(String, String)>>,
 }
 
 /// Claims that can be checked at points.
@@ -61,6 +64,8 @@ pub struct Claims {
     outputs: usize,
     free: Vec<Free>,
     pub(crate) triads: bool,
+    /// Whether points at which a side is infinite are left out.
+    pub(crate) is_partial: bool,
 }
 
 /// An arbitrary number.
@@ -134,7 +139,13 @@ impl Claims {
         for text in setting.above.iter().map(String::as_str).chain([latex]) {
             let declared = all.iter().filter(|s| !s.parameters.is_empty()).map(|s| s.names[0].clone());
             claimed.clear();
-            for statement in chains(text, functions().chain(declared).collect())? {
+            let declared = functions().chain(declared).collect();
+            let read = if setting.renamed.is_some() {
+                relations(text, declared, &Vocabulary::of(&[&known.inputs[..], &known.outputs[..]].concat()))
+            } else {
+                chains(text, declared)
+            };
+            for statement in read? {
                 let is_defined = |name: &Name| all.iter().any(|statement| statement.names.contains(name));
                 let is_given = |name: &Name| known.has(name) || given.iter().any(|taken| taken.name == *name);
                 // A written variation of a field is compared with the field's change rather than taken as a definition.
@@ -231,7 +242,9 @@ struct Known {
 
 impl Known {
     fn new(setting: &Setting) -> Result<Self, Error> {
-        let fields = |fields: Option<&[Field]>| named(fields.unwrap_or_default());
+        let renamed = setting.renamed.iter().flatten().map(|(symbol, name)| (symbol.as_str(), name.as_str()));
+        let renamed: Vec<_> = renamed.collect();
+        let fields = |fields: Option<&[Field]>| named_by(&renamed, fields.unwrap_or_default());
         let listed = if setting.free.is_empty() { Vec::new() } else { symbols(&setting.free)? };
         Ok(Self {
             inputs: fields(setting.of.map(|of| of.inputs))?,
@@ -303,6 +316,9 @@ impl Known {
         latex: &str,
     ) -> Result<Claims, Error> {
         let mut writer = Writer::new(entries, &self.inputs);
+        if let (Some(_), Some(of)) = (&setting.renamed, setting.of) {
+            writer.be_lenient(&named(of.inputs)?);
+        }
         let inputs = writer.solution;
         let (mut next, mut free) = (inputs, Vec::new());
         let mut take = |writer: &mut Writer<'_>, count: usize| -> Vec<Node> {
@@ -359,7 +375,8 @@ impl Known {
             all.push(Claimed::new(&mut writer.graph, left, Relation::Equal, right, text));
         }
         let triads = setting.triads;
-        Ok(Claims { graph: writer.graph, all, condition, put, inputs, outputs, free, triads })
+        let is_partial = setting.renamed.is_some();
+        Ok(Claims { graph: writer.graph, all, condition, put, inputs, outputs, free, triads, is_partial })
     }
 }
 

@@ -2,7 +2,8 @@
 
 use super::error::Error;
 use super::name::Name;
-use super::token::{Kind as Word, Token};
+use super::token::{FUNCTIONS, Kind as Word, Token};
+use crate::formula::Field;
 
 /// Parses the tokens of one equation.
 pub(super) struct Parser<'a> {
@@ -10,9 +11,46 @@ pub(super) struct Parser<'a> {
     pub(super) next: usize,
     /// Names that are functions if a bracket follows.
     pub(super) functions: Vec<Name>,
+    pub(super) known: Vocabulary,
+    /// The bars that are open since the last bracket or brace.
+    pub(super) bars: usize,
+}
+
+/// What somebody who writes about a formula may call its inputs and outputs, apart from their symbols.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Vocabulary {
+    /// Their names in code.
+    pub(super) fields: Vec<(&'static str, Name)>,
+    /// The subscripts and superscripts of their symbols, which need no braces: `F_axial1`.
+    pub(super) scripts: Vec<String>,
+}
+
+impl Vocabulary {
+    /// Of fields with these symbols.
+    pub(super) fn of(named: &[(Name, Field)]) -> Self {
+        Self {
+            fields: named.iter().map(|(name, field)| (field.name, name.clone())).collect(),
+            scripts: named.iter().flat_map(|(name, _)| [name.below.concat(), name.above.clone()]).collect(),
+        }
+    }
+
+    /// The longest script of more than one character with which this text begins.
+    pub(super) fn script(&self, text: &str) -> Option<&str> {
+        let begins = |script: &&String| script.len() > 1 && text.starts_with(script.as_str());
+        self.scripts.iter().filter(begins).max_by_key(|script| script.len()).map(String::as_str)
+    }
+
+    /// The symbol of a field.
+    pub(super) fn field(&self, field: &str) -> Option<Name> {
+        self.fields.iter().find(|(known, _)| *known == field).map(|(_, name)| name.clone())
+    }
 }
 
 impl<'a> Parser<'a> {
+    pub(super) fn new(tokens: Vec<Token<'a>>) -> Self {
+        Self { tokens, next: 0, functions: Vec::new(), known: Vocabulary::default(), bars: 0 }
+    }
+
     pub(super) fn peek(&self) -> Token<'a> {
         self.tokens[self.next.min(self.tokens.len() - 1)]
     }
@@ -21,6 +59,14 @@ impl<'a> Parser<'a> {
         let token = self.peek();
         self.next += 1;
         token
+    }
+
+    /// The letters and digits from a token on, without a space between them.
+    pub(super) fn run(&self, from: usize) -> String {
+        let tokens = self.tokens.get(from..).unwrap_or_default();
+        let together = tokens.iter().enumerate().take_while(|(k, token)| token.at == tokens[0].at + k);
+        let letter = |token: &Token<'_>| if let Word::Letter(c) | Word::Digit(c) = token.kind { Some(c) } else { None };
+        together.map_while(|(_, token)| letter(token)).collect()
     }
 
     pub(super) fn sees(&self, sign: char) -> bool {
@@ -51,8 +97,14 @@ impl<'a> Parser<'a> {
     pub(super) fn word(&mut self) -> Result<String, Error> {
         self.expect('{')?;
         let mut word = String::new();
-        while let Word::Letter(c) | Word::Digit(c) = self.peek().kind {
-            word.push(c);
+        loop {
+            match self.peek().kind {
+                Word::Letter(c) | Word::Digit(c) => word.push(c),
+                Word::Field(part) => word += part,
+                // Without its backslash, as in `\operatorname{sign}`.
+                Word::Command(part) if FUNCTIONS.contains(&part) => word += part,
+                _ => break,
+            }
             self.next += 1;
         }
         self.expect('}')?;

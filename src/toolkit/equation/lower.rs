@@ -53,6 +53,8 @@ pub(super) struct Writer<'e> {
     pub(super) equal: BTreeSet<(Node, Node)>,
     /// Additional numbers known to prose.
     pub(super) beside: Beside,
+    /// Whether symbols may be written [otherwise](Name::otherwise), as somebody else may write them.
+    pub(super) is_lenient: bool,
 }
 
 impl<'e> Writer<'e> {
@@ -76,14 +78,25 @@ impl<'e> Writer<'e> {
             taken: vec![false; own.given.len()],
             equal: BTreeSet::new(),
             beside: Beside::default(),
+            is_lenient: false,
         }
     }
 
-    /// Whether the equation itself defines a symbol or says where it comes from.
+    /// Reads symbols as somebody else may write them: [otherwise](Name::otherwise), inputs also by their own symbols and by
+    /// their names in code.
+    pub(super) fn be_lenient(&mut self, own: &[(Name, Field)]) {
+        self.is_lenient = true;
+        let values: Vec<_> = self.inputs.iter().map(|(_, value)| value.clone()).collect();
+        let names = own.iter().map(|(name, _)| name.clone());
+        let names: Vec<_> = names.chain(own.iter().map(|(_, field)| Name::letter(field.name))).collect();
+        self.inputs.extend(names.into_iter().zip([&values[..], &values[..]].concat()));
+    }
+
+    /// Whether the equation itself defines a symbol or says where it comes from; somebody else's does not say.
     pub(super) fn defines(&self, name: &Name) -> bool {
         let own = &self.entries.0[0];
         own.statements.iter().any(|statement| statement.names[0] == *name)
-            || own.given.iter().any(|taken| taken.name == *name)
+            || !self.is_lenient && own.given.iter().any(|taken| taken.name == *name)
     }
 
     /// The value of a symbol.
@@ -102,7 +115,15 @@ impl<'e> Writer<'e> {
         if let Some(value) = self.change_of_component(name, at, place)? {
             return Ok(value);
         }
-        constant(name, &mut self.graph).ok_or_else(|| Error::new(at, format!("{name} is nobody's symbol")))
+        if let Some(value) = constant(name, &mut self.graph) {
+            return Ok(value);
+        }
+        for other in if self.is_lenient { name.otherwise() } else { Vec::new() } {
+            if let Some(value) = self.defined(&other, at, place)? {
+                return Ok(value);
+            }
+        }
+        Err(Error::unknown(at, name))
     }
 
     /// A component with a numeric index, or with a symbol as index.
@@ -299,12 +320,19 @@ impl<'e> Writer<'e> {
     fn power(&mut self, base: &Expr, exponent: &Expr, place: Place<'_>) -> Result<Value, Error> {
         if let Kind::Number(value) = exponent.kind {
             let whole = (2..=9).find(|&k| small(k) == value);
-            let whole = whole.ok_or_else(|| Error::new(exponent.at, "a power is a whole number from 2 to 9"))?;
-            let base = self.number(base, place)?;
-            return Ok(Value::Scalar(power(&mut self.graph, base, whole)));
+            let whole = whole.ok_or_else(|| {
+                Error::new(exponent.at, "a power is a whole number up to 9, half of one, or the negative of either")
+            })?;
+            return match self.expression(base, place)? {
+                Value::Scalar(base) => Ok(Value::Scalar(power(&mut self.graph, base, whole))),
+                square @ Value::Vector(_) if whole == 2 => {
+                    binary(&mut self.graph, Operator::Dot, square.clone(), square, base.at)
+                }
+                _ => Err(Error::new(base.at, "only the square of a vector is defined, not other powers")),
+            };
         }
         if self.number(base, place)? != euler(&mut self.graph) {
-            return Err(Error::new(exponent.at, "a power is a whole number, but for powers of e"));
+            return Err(Error::new(exponent.at, "a power is a number, but for powers of e"));
         }
         let exponent = self.number(exponent, place)?;
         Ok(Value::Scalar(self.graph.unary(Unary::Exponential, exponent)))

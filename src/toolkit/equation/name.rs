@@ -29,6 +29,17 @@ impl Name {
         self.base == letter && !self.bold && self.below.is_empty() && self.above.is_empty() && self.change.is_empty()
     }
 
+    /// Other ways to write this symbol: a vector in plain type, φ and ϵ in their other shapes.
+    pub(super) fn otherwise(&self) -> Vec<Self> {
+        let shapes = [("phi", "varphi"), ("epsilon", "varepsilon")];
+        let shape = shapes.into_iter().find_map(|(a, b)| {
+            let other = if self.base == a { b } else { a };
+            (self.base == a || self.base == b).then(|| Self { base: other.into(), ..self.clone() })
+        });
+        let bold = (!self.bold).then(|| Self { bold: true, ..self.clone() });
+        bold.into_iter().chain(shape).collect()
+    }
+
     /// The symbol of which this is the variation or the differential.
     pub(super) fn unchanged(&self) -> Option<Self> {
         let change = match self.change {

@@ -4,7 +4,7 @@ use super::cursor::Parser;
 use super::error::Error;
 use super::name::Name;
 use super::syntax::{Condition, Expr, Function, Kind, Operator, Relation};
-use super::token::{Kind as Word, Token};
+use super::token::{FUNCTIONS, Kind as Word, Token};
 
 impl Parser<'_> {
     /// Parses sums of terms.
@@ -28,25 +28,29 @@ impl Parser<'_> {
         if self.took_sign('-') {
             return Ok(Expr { kind: Kind::Negative(Box::new(self.term()?)), at });
         }
+        // A leading plus has no meaning.
+        self.took_sign('+');
         let mut product = self.factor()?;
         let mut divided = false;
         loop {
             let at = self.peek().at;
-            let operator = match self.peek().kind {
-                Word::Command("cdot") => Operator::Dot,
-                Word::Command("times") => Operator::Cross,
-                Word::Command("otimes") => Operator::Outer,
-                Word::Sign('/') => Operator::Divide,
-                _ if self.begins_factor() => Operator::Times,
+            let (operator, is_written) = match self.peek().kind {
+                Word::Command("cdot") => (Operator::Dot, true),
+                Word::Command("times") => (Operator::Cross, true),
+                Word::Command("otimes") => (Operator::Outer, true),
+                Word::Sign('*') => (Operator::Times, true),
+                Word::Sign('/') => (Operator::Divide, true),
+                _ if self.begins_factor() => (Operator::Times, false),
                 _ => return Ok(product),
             };
-            if divided {
+            // With an asterisk it is code, which is read from left to right.
+            if divided && self.peek().kind != Word::Sign('*') {
                 return Err(Error::new(at, "what follows a slash and its divisor is read in two ways: use a fraction"));
             }
             divided = operator == Operator::Divide;
-            self.next += usize::from(operator != Operator::Times);
+            self.next += usize::from(is_written);
             let factor = self.factor()?;
-            if let (Operator::Times, Kind::Number(_)) = (operator, &factor.kind) {
+            if let (false, Kind::Number(_)) = (is_written, &factor.kind) {
                 return Err(Error::new(at, "a number side by side with a factor before it: write it first"));
             }
             product = binary(operator, product, factor, at);
@@ -57,8 +61,11 @@ impl Parser<'_> {
         match self.peek().kind {
             // `(k = 1, 3)` is a range.
             Word::Sign('(') => self.tokens.get(self.next + 2).is_none_or(|token| token.kind != Word::Sign('=')),
-            Word::Letter(_) | Word::Digit(_) | Word::Sign('[') | Word::BeginCases => true,
-            Word::Command(name) => !matches!(name, "rvert" | "le" | "ge" | "ne" | "cdot" | "times" | "otimes"),
+            Word::Letter(_) | Word::Digit(_) | Word::Field(_) => true,
+            Word::Sign('[') | Word::BeginCases | Word::BeginMatrix => true,
+            // Between bars another one closes them.
+            Word::Sign('|') => self.bars == 0,
+            Word::Command(name) => !matches!(name, "rvert" | "le" | "ge" | "ne" | "cdot" | "times" | "otimes" | "**"),
             _ => false,
         }
     }
@@ -66,23 +73,36 @@ impl Parser<'_> {
     /// Parses a factor with its powers.
     fn factor(&mut self) -> Result<Expr, Error> {
         let mut factor = self.base()?;
-        while self.sees('^') {
-            let at = self.take().at;
-            let power = self.argument()?;
-            factor = Expr { kind: Kind::Power(Box::new(factor), Box::new(power)), at };
+        loop {
+            let at = self.peek().at;
+            let power = match self.peek().kind {
+                Word::Sign('^') => {
+                    self.next += 1;
+                    if self.sees('(') { self.base()? } else { self.argument()? }
+                }
+                Word::Command("**") => {
+                    self.next += 1;
+                    let negative = self.took_sign('-');
+                    let power = self.base()?;
+                    if negative { Expr { kind: Kind::Negative(Box::new(power)), at } } else { power }
+                }
+                _ => return Ok(factor),
+            };
+            factor = power_of(factor, power, at);
         }
-        Ok(factor)
     }
 
-    /// Parses the argument of a command: a group, or a single letter or digit.
+    /// Parses the argument of a command: a group, a single letter or digit, or what another command begins.
     fn argument(&mut self) -> Result<Expr, Error> {
         let Token { kind, at } = self.peek();
         match kind {
             Word::Sign('{') => {
                 self.next += 1;
-                let inside = self.expression()?;
-                self.expect('}')?;
-                Ok(inside)
+                self.closed(|parser| {
+                    let inside = parser.expression()?;
+                    parser.expect('}')?;
+                    Ok(inside)
+                })
             }
             Word::Digit(digit) => {
                 self.next += 1;
@@ -92,17 +112,32 @@ impl Parser<'_> {
                 self.next += 1;
                 Ok(Expr { kind: Kind::Symbol(Name::letter(letter)), at })
             }
+            Word::Command(_) | Word::Field(_) => self.base(),
             _ => Err(self.expected("a group in braces, a letter or a digit")),
         }
+    }
+
+    /// Parses what is in brackets, where bars open and close by themselves.
+    fn closed<T>(&mut self, inside: impl FnOnce(&mut Self) -> Result<T, Error>) -> Result<T, Error> {
+        let bars = std::mem::take(&mut self.bars);
+        let found = inside(self);
+        self.bars = bars;
+        found
     }
 
     fn base(&mut self) -> Result<Expr, Error> {
         let Token { kind, at } = self.peek();
         let kind = match kind {
-            Word::Digit(_) => self.number()?,
+            Word::Digit(_) | Word::Sign('.') => self.number()?,
             Word::Sign('(') => self.bracket(')')?,
             Word::Sign('[') => self.bracket(']')?,
-            Word::BeginCases => self.cases()?,
+            Word::Sign('|') | Word::Command("lvert") => self.size()?,
+            Word::BeginCases => self.closed(Self::cases)?,
+            Word::BeginMatrix => self.closed(Self::column)?,
+            Word::Text(name) if FUNCTIONS.contains(&name) => {
+                self.next += 1;
+                self.function(name, at)?
+            }
             Word::Command(command) => match self.command(command, at)? {
                 Some(kind) => kind,
                 None => self.symbol()?,
@@ -114,7 +149,8 @@ impl Parser<'_> {
 
     /// Parses a symbol, or a declared function with arguments.
     fn symbol(&mut self) -> Result<Kind, Error> {
-        let Some(name) = self.name()? else { return Err(self.expected("a number, a symbol or a bracket")) };
+        let token = self.peek();
+        let Some(name) = self.name()? else { return Err(self.nothing(token)) };
         if !self.sees('(') || !self.functions.iter().any(|declared| name.is_like(declared)) {
             return Ok(Kind::Symbol(name));
         }
@@ -122,20 +158,55 @@ impl Parser<'_> {
         Ok(Kind::Apply(name, self.list(')')?))
     }
 
+    /// The error that no number, symbol or bracket begins here, with what to write instead.
+    fn nothing(&self, token: Token<'_>) -> Error {
+        let Word::Command(command) = token.kind else {
+            return self.expected("a number, a symbol or a bracket");
+        };
+        let cure = match command {
+            "pm" | "mp" => "two equations are two calls",
+            "langle" => r"a bracket that is 0 for negative numbers is `\max(0, x)`",
+            "top" | "intercal" => r"products of vectors are `\cdot`, `\times` and `\otimes`",
+            "circ" | "degree" => "angles are in radians",
+            "ln" | "log" | "sinh" | "cosh" | "tanh" => "no formula here has this function",
+            "int" | "oint" | "lim" => "only closed expressions can be evaluated",
+            _ => {
+                r"there are `\frac`, `\sqrt`, `\sin`, `\arctan`, `\max`, `\operatorname{atan2}`, `\cdot`, `\times` and Greek letters"
+            }
+        };
+        Error::new(token.at, format!(r"`\{command}` is not read here: {cure}"))
+    }
+
     /// Parses expressions separated by commas, and the closing bracket.
     fn list(&mut self, close: char) -> Result<Vec<Expr>, Error> {
-        let mut all = vec![self.expression()?];
-        while self.took_sign(',') {
-            all.push(self.expression()?);
-        }
-        self.expect(close)?;
-        Ok(all)
+        self.closed(|parser| {
+            let mut all = vec![parser.expression()?];
+            while parser.took_sign(',') {
+                all.push(parser.expression()?);
+            }
+            parser.expect(close)?;
+            Ok(all)
+        })
     }
 
     fn bracket(&mut self, close: char) -> Result<Kind, Error> {
         self.next += 1;
         let mut all = self.list(close)?;
         Ok(if all.len() == 1 { all.swap_remove(0).kind } else { Kind::Tuple(all) })
+    }
+
+    /// `\lvert x\rvert`, `|x|`
+    fn size(&mut self) -> Result<Kind, Error> {
+        let is_directed = self.take().kind == Word::Command("lvert");
+        let bars = self.bars;
+        self.bars = if is_directed { 0 } else { bars + 1 };
+        let inside = self.expression();
+        self.bars = bars;
+        let inside = inside?;
+        if !self.took(Word::Command("rvert")) && !self.took_sign('|') {
+            return Err(self.expected("the bar that closes this size, `\\rvert` or `|`,"));
+        }
+        Ok(Kind::Size(Box::new(inside)))
     }
 
     /// Parses adjacent digits, and decimals.
@@ -157,34 +228,30 @@ impl Parser<'_> {
     fn command(&mut self, command: &str, at: usize) -> Result<Option<Kind>, Error> {
         let start = self.next;
         self.next += 1;
-        let call = |function, arguments| Ok(Some(Kind::Call(function, arguments)));
         match command {
-            "frac" | "tfrac" | "dfrac" => {
+            "frac" | "tfrac" | "dfrac" | "cfrac" => {
                 if let Some(partial) = self.partial()? {
                     return Ok(Some(partial));
                 }
                 let (above, below) = (self.argument()?, self.argument()?);
-                Ok(Some(binary(Operator::Divide, above, below, at).kind))
+                return Ok(Some(binary(Operator::Divide, above, below, at).kind));
             }
-            "sqrt" => call(Function::Sqrt, vec![self.argument()?]),
-            "sin" => self.trigonometric(Function::Sin).map(Some),
-            "cos" => self.trigonometric(Function::Cos).map(Some),
-            "arcsin" => call(Function::ArcSin, vec![self.single_argument()?]),
-            "max" => self.largest(at).map(Some),
-            "operatorname" => self.operator().map(Some),
-            "lvert" => {
-                let inside = self.expression()?;
-                if !self.took(Word::Command("rvert")) {
-                    return Err(self.expected("`\\rvert`"));
+            "sum" => return self.sum().map(Some),
+            "operatorname" | "mathrm" | "mathit" | "mathsf" => {
+                let name = self.word().unwrap_or_default();
+                if FUNCTIONS.contains(&name.as_str()) {
+                    return self.function(&name, at).map(Some);
                 }
-                Ok(Some(Kind::Size(Box::new(inside))))
+                if command == "operatorname" && self.sees('(') {
+                    let known = FUNCTIONS.join(", ");
+                    return Err(Error::new(at, format!("the function {name} is not known: there are {known}")));
+                }
             }
-            "sum" => self.sum().map(Some),
-            _ => {
-                self.next = start;
-                Ok(None)
-            }
+            name if FUNCTIONS.contains(&name) => return self.function(name, at).map(Some),
+            _ => {}
         }
+        self.next = start;
+        Ok(None)
     }
 
     /// Parses `{\partial a}{\partial x}` after the command of a fraction.
@@ -205,14 +272,77 @@ impl Parser<'_> {
         Ok(Some(Kind::Partial(Box::new(of), by)))
     }
 
-    /// `\cos\beta`, `\cos^2\beta`
-    fn trigonometric(&mut self, function: Function) -> Result<Kind, Error> {
-        let at = self.peek().at;
+    /// Parses the arguments of a function.
+    fn function(&mut self, name: &str, at: usize) -> Result<Kind, Error> {
+        let call = |function, argument| Kind::Call(function, vec![argument]);
+        Ok(match name {
+            "sqrt" if self.sees('[') => {
+                return Err(self.expected("a square root: others are powers, as in `x^{3/2}`;"));
+            }
+            "sqrt" if self.sees('(') => call(Function::Sqrt, self.base()?),
+            "sqrt" => call(Function::Sqrt, self.argument()?),
+            "sin" | "cos" | "tan" | "cot" => return self.trigonometric(name, at),
+            "asin" | "acos" | "atan" | "arcsin" | "arccos" | "arctan" => {
+                inverse(name.trim_start_matches("arc").trim_start_matches('a'), self.single_argument()?, at)
+            }
+            "sign" | "sgn" => call(Function::Sign, self.single_argument()?),
+            "round" => call(Function::Round, self.single_argument()?),
+            "abs" | "norm" => Kind::Size(Box::new(self.single_argument()?)),
+            "exp" => {
+                let e = Expr { kind: Kind::Symbol(Name::letter('e')), at };
+                Kind::Power(Box::new(e), Box::new(self.single_argument()?))
+            }
+            "min" | "max" => {
+                let relation = if name == "max" { Relation::GreaterOrEqual } else { Relation::LessOrEqual };
+                self.expect('(')?;
+                let mut all = self.list(')')?.into_iter();
+                let first = all.next().ok_or_else(|| Error::new(at, format!("{name} has 2 arguments or more")))?;
+                let chosen = |a: Expr, b: Expr| {
+                    let is_first = vec![(a.clone(), relation, b.clone())];
+                    Expr { kind: Kind::Cases(vec![(a, is_first), (b, Vec::new())]), at }
+                };
+                all.fold(first, chosen).kind
+            }
+            _ => {
+                self.expect('(')?;
+                let two = self.list(')')?;
+                let [a, b] = <[Expr; 2]>::try_from(two)
+                    .map_err(|other| Error::new(at, format!("{name} has 2 arguments, not {}", other.len())))?;
+                match name {
+                    "dot" => binary(Operator::Dot, a, b, at).kind,
+                    "cross" => binary(Operator::Cross, a, b, at).kind,
+                    "hypot" => call(Function::Sqrt, binary(Operator::Add, square(a), square(b), at)),
+                    _ => Kind::Call(Function::Atan2, vec![a, b]),
+                }
+            }
+        })
+    }
+
+    /// `\cos\beta`, `\cos^2\beta`, `\tan^{-1}\beta`
+    fn trigonometric(&mut self, name: &str, at: usize) -> Result<Kind, Error> {
         let power = if self.took_sign('^') { Some(self.argument()?) } else { None };
-        let call = Kind::Call(function, vec![self.single_argument()?]);
+        let is_bracketed = self.sees('(') || self.sees('[');
+        let argument = self.single_argument()?;
+        if self.sees('^') && !is_bracketed {
+            return Err(Error::new(
+                self.peek().at,
+                format!(r"this is read in two ways: write `\{name}^2 x` or `\{name}(x^2)`"),
+            ));
+        }
+        let is_inverse = |power: &Expr| exact(power) == Some((-1.0, 1.0));
+        if power.as_ref().is_some_and(is_inverse) {
+            return Ok(inverse(name, argument, at));
+        }
+        let call = |function| Expr { kind: Kind::Call(function, vec![argument.clone()]), at };
+        let value = match name {
+            "sin" => call(Function::Sin),
+            "cos" => call(Function::Cos),
+            "tan" => binary(Operator::Divide, call(Function::Sin), call(Function::Cos), at),
+            _ => binary(Operator::Divide, call(Function::Cos), call(Function::Sin), at),
+        };
         Ok(match power {
-            Some(power) => Kind::Power(Box::new(Expr { kind: call, at }), Box::new(power)),
-            None => call,
+            Some(power) => power_of(value, power, at).kind,
+            None => value.kind,
         })
     }
 
@@ -224,31 +354,30 @@ impl Parser<'_> {
         }
     }
 
-    /// `\max(a, b)`
-    fn largest(&mut self, at: usize) -> Result<Kind, Error> {
-        self.expect('(')?;
-        let Ok([a, b]) = <[Expr; 2]>::try_from(self.list(')')?) else {
-            return Err(Error::new(at, "max has 2 arguments"));
-        };
-        let is_first = vec![(a.clone(), Relation::GreaterOrEqual, b.clone())];
-        Ok(Kind::Cases(vec![(a, is_first), (b, Vec::new())]))
-    }
-
-    /// Parses `\operatorname{…}` and its arguments.
-    fn operator(&mut self) -> Result<Kind, Error> {
-        let at = self.peek().at;
-        let name = self.word()?;
-        match name.as_str() {
-            "sign" => Ok(Kind::Call(Function::Sign, vec![self.single_argument()?])),
-            "round" => Ok(Kind::Call(Function::Round, vec![self.single_argument()?])),
-            "atan2" => {
-                self.expect('(')?;
-                match self.list(')')? {
-                    two if two.len() == 2 => Ok(Kind::Call(Function::Atan2, two)),
-                    other => Err(Error::new(at, format!("atan2 has 2 arguments, not {}", other.len()))),
+    /// The vector whose components are the cells of a matrix with one row or one column.
+    fn column(&mut self) -> Result<Kind, Error> {
+        let at = self.take().at;
+        let (mut all, mut separators) = (vec![self.expression()?], Vec::new());
+        loop {
+            let token = self.take();
+            match token.kind {
+                Word::EndMatrix if separators.iter().all(|other| *other == separators[0]) => {
+                    return Ok(Kind::Tuple(all));
                 }
+                Word::EndMatrix => {
+                    let cure = r"a matrix of several rows and columns is written by `\otimes` and `\mathbf{I}`";
+                    return Err(Error::new(at, cure));
+                }
+                separator @ (Word::Cell | Word::Row) => {
+                    if self.took(Word::EndMatrix) {
+                        self.next -= 1;
+                        continue;
+                    }
+                    separators.push(separator);
+                    all.push(self.expression()?);
+                }
+                _ => return Err(Error::new(token.at, "the end of the matrix was expected here")),
             }
-            _ => Err(Error::new(at, format!("the function {name} is not known: there are sign, round and atan2"))),
         }
     }
 
@@ -258,11 +387,12 @@ impl Parser<'_> {
         let mut rows = Vec::new();
         loop {
             let value = self.expression()?;
+            self.took_sign(',');
             if !self.took(Word::Cell) {
                 return Err(self.expected("`&` and a condition"));
             }
             rows.push((value, self.condition()?));
-            if self.took(Word::Row) {
+            if self.took(Word::Row) && self.peek().kind != Word::EndCases {
                 continue;
             }
             if self.took(Word::EndCases) {
@@ -276,7 +406,11 @@ impl Parser<'_> {
         let mut all = Vec::new();
         if let Word::Text(words) = self.peek().kind {
             self.next += 1;
-            return if words == "otherwise" { Ok(all) } else { Err(self.expected("`\\text{otherwise}`")) };
+            match words.trim().trim_end_matches(['.', ',']) {
+                "otherwise" | "else" => return Ok(all),
+                "if" | "for" | "when" | "where" => {}
+                _ => return Err(self.expected("a comparison or `\\text{otherwise}` instead of the words before this,")),
+            }
         }
         loop {
             let mut left = self.expression()?;
@@ -289,7 +423,9 @@ impl Parser<'_> {
                     None => break,
                 }
             }
-            if !self.took_sign(',') {
+            let is_and = matches!(self.peek().kind, Word::Text(words) if words.trim() == "and");
+            self.next += usize::from(is_and);
+            if !is_and && !self.took_sign(',') || matches!(self.peek().kind, Word::Row | Word::EndCases) {
                 return Ok(all);
             }
         }
@@ -329,4 +465,55 @@ impl Parser<'_> {
 
 fn binary(operator: Operator, left: Expr, right: Expr, at: usize) -> Expr {
     Expr { kind: Kind::Binary(operator, Box::new(left), Box::new(right)), at }
+}
+
+fn square(e: Expr) -> Expr {
+    let (at, two) = (e.at, Expr { kind: Kind::Number(2.0), at: e.at });
+    Expr { kind: Kind::Power(Box::new(e), Box::new(two)), at }
+}
+
+/// A power, by roots and quotients if the exponent is half a number or negative.
+fn power_of(base: Expr, exponent: Expr, at: usize) -> Expr {
+    let Some((above, below)) = exact(&exponent) else {
+        return Expr { kind: Kind::Power(Box::new(base), Box::new(exponent)), at };
+    };
+    let number = |value| Expr { kind: Kind::Number(value), at };
+    let halves = 2.0 * above / below;
+    if halves.fract() != 0.0 || halves == 0.0 {
+        return Expr { kind: Kind::Power(Box::new(base), Box::new(number(above / below))), at };
+    }
+    let is_whole = (halves / 2.0).fract() == 0.0;
+    let root = if is_whole { base } else { Expr { kind: Kind::Call(Function::Sqrt, vec![base]), at } };
+    let whole = if is_whole { halves.abs() / 2.0 } else { halves.abs() };
+    let power =
+        if whole == 1.0 { root } else { Expr { kind: Kind::Power(Box::new(root), Box::new(number(whole))), at } };
+    if halves < 0.0 { binary(Operator::Divide, number(1.0), power, at) } else { power }
+}
+
+/// A number, or a quotient of two.
+fn exact(e: &Expr) -> Option<(f64, f64)> {
+    match &e.kind {
+        Kind::Number(value) => Some((*value, 1.0)),
+        Kind::Negative(inside) => exact(inside).map(|(above, below)| (-above, below)),
+        Kind::Binary(Operator::Divide, a, b) => match (exact(a)?, exact(b)?) {
+            ((a, b), (c, d)) if b * c != 0.0 => Some((a * d, b * c)),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+/// The angle with this sine, cosine, tangent or cotangent.
+fn inverse(name: &str, of: Expr, at: usize) -> Kind {
+    let one = || Expr { kind: Kind::Number(1.0), at };
+    let rest = |of: &Expr| {
+        let rest = binary(Operator::Subtract, one(), square(of.clone()), at);
+        Expr { kind: Kind::Call(Function::Sqrt, vec![rest]), at }
+    };
+    match name {
+        "sin" => Kind::Call(Function::ArcSin, vec![of]),
+        "cos" => Kind::Call(Function::Atan2, vec![rest(&of), of]),
+        "tan" => Kind::Call(Function::Atan2, vec![of, one()]),
+        _ => Kind::Call(Function::Atan2, vec![one(), of]),
+    }
 }

@@ -60,7 +60,7 @@ impl Entries {
     }
 
     /// Checks that nothing is defined twice, and that every symbol taken from elsewhere is defined there.
-    fn check(&self, place: usize) -> Result<(), Error> {
+    pub(super) fn check(&self, place: usize) -> Result<(), Error> {
         let entry = &self.0[place];
         for (k, statement) in entry.statements.iter().enumerate() {
             let name = &statement.names[0];

@@ -1,27 +1,40 @@
 //! Statements: definitions, ranges, remarks.
 
-use super::cursor::Parser;
+use super::cursor::{Parser, Vocabulary};
 use super::error::Error;
 use super::name::Name;
 use super::syntax::{ArgMin, Body, Expr, Kind, Statement};
-use super::token::{Kind as Word, Token, tokens};
+use super::token::{Kind as Word, Token, plain, tokens};
 
 /// The definitions of an equation, with families expanded.
 pub(super) fn statements(latex: &str, functions: Vec<Name>) -> Result<Vec<Statement>, Error> {
-    all(latex, functions, Parser::statement)
+    all(Parser { functions, ..Parser::new(tokens(latex)?) }, Parser::statement)
 }
 
 /// The statements of prose: sides that are equal or ordered, with families expanded.
 pub(super) fn chains(latex: &str, functions: Vec<Name>) -> Result<Vec<Statement>, Error> {
-    all(latex, functions, Parser::chain)
+    all(Parser { functions, ..Parser::new(tokens(latex)?) }, Parser::chain)
+}
+
+/// The definitions of an equation that somebody has written about a formula, in LaTeX or as plain text.
+pub(super) fn written(latex: &str, functions: Vec<Name>, known: &Vocabulary) -> Result<Vec<Statement>, Error> {
+    all(informed(latex, functions, known)?, Parser::statement)
+}
+
+/// The relations that somebody has written about a formula.
+pub(super) fn relations(latex: &str, functions: Vec<Name>, known: &Vocabulary) -> Result<Vec<Statement>, Error> {
+    all(informed(latex, functions, known)?, Parser::chain)
+}
+
+fn informed<'l>(latex: &'l str, functions: Vec<Name>, known: &Vocabulary) -> Result<Parser<'l>, Error> {
+    let fields: Vec<_> = known.fields.iter().map(|(field, _)| *field).collect();
+    Ok(Parser { functions, known: known.clone(), ..Parser::new(plain(latex, &fields)?) })
 }
 
 fn all<'l>(
-    latex: &'l str,
-    functions: Vec<Name>,
+    mut parser: Parser<'l>,
     one: impl Fn(&mut Parser<'l>) -> Result<Statement, Error>,
 ) -> Result<Vec<Statement>, Error> {
-    let mut parser = Parser { tokens: tokens(latex)?, next: 0, functions };
     parser.declare();
     let mut all = Vec::new();
     loop {
@@ -46,7 +59,7 @@ fn all<'l>(
 
 /// Symbols separated by commas, each perhaps a function of parameters: `\mathbf{X}(g),\ \mathbf{t}`.
 pub(super) fn symbols(latex: &str) -> Result<Vec<(Name, Vec<Name>)>, Error> {
-    let mut parser = Parser { tokens: tokens(latex)?, next: 0, functions: Vec::new() };
+    let mut parser = Parser::new(plain(latex, &[])?);
     let mut all = Vec::new();
     loop {
         let Some(name) = parser.name()? else { return Err(parser.expected("a symbol")) };

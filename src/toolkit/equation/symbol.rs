@@ -3,7 +3,7 @@
 use super::cursor::Parser;
 use super::error::Error;
 use super::name::Name;
-use super::token::Kind as Word;
+use super::token::{FUNCTIONS, Kind as Word};
 
 /// Greek letters and other commands that are letters.
 pub(super) const LETTERS: &[&str] = &[
@@ -41,6 +41,12 @@ pub(super) const LETTERS: &[&str] = &[
     "ell",
 ];
 
+/// Fonts in which vectors are written, and those without a meaning.
+const BOLD: &[&str] = &["mathbf", "boldsymbol", "bm", "pmb", "vec", "mathbfit", "symbf", "symbfit", "overrightarrow"];
+const UPRIGHT: &[&str] = &["mathit", "mathrm", "mathnormal", "mathsf", "textit", "operatorname", "underline"];
+/// Marks over a letter, which belong to the symbol.
+const ACCENTS: &[&str] = &["hat", "widehat", "bar", "overline", "tilde", "widetilde", "dot", "ddot", "check", "breve"];
+
 impl Parser<'_> {
     /// Parses the longest symbol that begins here, with subscript, primes and a superscript that is not a power.
     pub(super) fn name(&mut self) -> Result<Option<Name>, Error> {
@@ -50,11 +56,15 @@ impl Parser<'_> {
             self.next = start;
             return Ok(None);
         };
-        name.change = change;
+        if name.change.is_empty() {
+            name.change = change;
+        }
         loop {
             if name.below.is_empty() && self.took_sign('_') {
                 name.below = self.subscript()?;
             } else if self.took_sign('\'') {
+                name.primes += 1;
+            } else if self.sees('^') && self.took_prime() {
                 name.primes += 1;
             } else if name.above.is_empty() && self.sees('^') && self.is_word_above() {
                 self.next += 1;
@@ -63,6 +73,18 @@ impl Parser<'_> {
                 return Ok(Some(name));
             }
         }
+    }
+
+    /// `^{\prime}`
+    fn took_prime(&mut self) -> bool {
+        let start = self.next;
+        self.next += 1;
+        let braced = self.took_sign('{');
+        let is_so = self.took_sign('\'') && (!braced || self.took_sign('}'));
+        if !is_so {
+            self.next = start;
+        }
+        is_so
     }
 
     /// Parses `\delta`, `\mathrm{d}` or `\Delta` before a symbol.
@@ -78,19 +100,25 @@ impl Parser<'_> {
         if self.took(Word::Command("Delta")) {
             return Ok("Δ");
         }
-        if !self.took(Word::Command("mathrm")) {
-            return Ok("");
+        let start = self.next;
+        if self.took(Word::Command("mathrm"))
+            && self.took_sign('{')
+            && self.took(Word::Letter('d'))
+            && self.took_sign('}')
+        {
+            return Ok("d");
         }
-        if self.word()? == "d" { Ok("d") } else { Err(self.expected("only the d of a differential is upright:")) }
+        self.next = start;
+        Ok("")
     }
 
     /// Whether a `\delta` here is a variation rather than a letter, since a symbol follows.
     fn is_variation(&self) -> bool {
         let next = self.tokens.get(self.next + 1).map(|token| token.kind);
         let begins = match next {
-            Some(Word::Letter(_)) => true,
+            Some(Word::Letter(_) | Word::Field(_)) => true,
             Some(Word::Command(word)) => {
-                LETTERS.contains(&word) || ["mathbf", "boldsymbol", "mathit", "mathrm", "Delta"].contains(&word)
+                [LETTERS, BOLD, &["mathit", "mathrm", "Delta"]].iter().any(|all| all.contains(&word))
             }
             _ => false,
         };
@@ -100,41 +128,50 @@ impl Parser<'_> {
     /// Parses the letter itself.
     fn stem(&mut self) -> Result<Option<Name>, Error> {
         let token = self.peek();
-        let (base, bold) = match token.kind {
-            Word::Letter(letter) => {
-                self.next += 1;
-                (letter.to_string(), false)
+        self.next += 1;
+        match token.kind {
+            Word::Letter(letter) => Ok(Some(Name::letter(letter))),
+            Word::Command(letter) if LETTERS.contains(&letter) => Ok(Some(Name::letter(letter))),
+            Word::Field(field) => Ok(self.known.field(field)),
+            Word::Command(font) if BOLD.contains(&font) => Ok(Some(Name { bold: true, ..self.group()? })),
+            Word::Command(font) if UPRIGHT.contains(&font) => self.group().map(Some),
+            Word::Command(accent) if ACCENTS.contains(&accent) => {
+                let name = self.group()?;
+                Ok(Some(Name { base: format!("{accent} {}", name.base), ..name }))
             }
-            Word::Command(letter) if LETTERS.contains(&letter) => {
-                self.next += 1;
-                (letter.to_string(), false)
+            Word::Text(word) if word.chars().all(|c| c.is_ascii_alphanumeric()) => Ok(Some(Name::letter(word))),
+            _ => {
+                self.next -= 1;
+                Ok(None)
             }
-            Word::Command(font @ ("mathbf" | "mathit")) => {
-                self.next += 1;
-                (self.word()?, font == "mathbf")
-            }
-            Word::Command("boldsymbol") => {
-                self.next += 1;
-                (self.greek()?, true)
-            }
-            _ => return Ok(None),
-        };
-        Ok(Some(Name { bold, base, ..Name::default() }))
+        }
     }
 
-    /// Parses a Greek letter in braces.
-    fn greek(&mut self) -> Result<String, Error> {
-        self.expect('{')?;
-        let token = self.take();
-        let Word::Command(letter) = token.kind else {
-            return Err(Error::new(token.at, "a Greek letter was expected here; others are bold by `\\mathbf`"));
-        };
+    /// Parses what a font applies to: a letter, several letters in braces, or a symbol in braces.
+    fn group(&mut self) -> Result<Name, Error> {
+        let none = "a letter was expected here";
+        if !self.sees('{') {
+            let at = self.peek().at;
+            return self.stem()?.ok_or_else(|| Error::new(at, none));
+        }
+        let start = self.next;
+        if let Ok(word) = self.word()
+            && !word.is_empty()
+        {
+            return Ok(Name::letter(word));
+        }
+        self.next = start + 1;
+        let name = self.name()?.ok_or_else(|| Error::new(self.peek().at, none))?;
         self.expect('}')?;
-        Ok(letter.into())
+        Ok(name)
     }
 
     /// Parses one letter, or a group of letters, digits, commas and upright words.
     fn subscript(&mut self) -> Result<Vec<String>, Error> {
+        if let Some(script) = self.known.script(&self.run(self.next)).map(str::to_owned) {
+            self.next += script.len();
+            return Ok(vec![script]);
+        }
         if !self.took_sign('{') {
             return Ok(vec![self.piece()?]);
         }
@@ -149,9 +186,13 @@ impl Parser<'_> {
         let token = self.take();
         match token.kind {
             Word::Letter(c) | Word::Digit(c) => Ok(c.to_string()),
-            Word::Command("mathrm") => self.word(),
+            Word::Field(word) => Ok(word.into()),
+            Word::Text(word) if word.trim().chars().all(char::is_alphanumeric) => Ok(word.trim().into()),
+            Word::Command("mathrm" | "mathit" | "mathsf" | "mathnormal" | "operatorname" | "textit") => {
+                if self.sees('{') { self.word() } else { self.piece() }
+            }
             Word::Command(word @ ("min" | "max" | "times" | "perp")) => Ok(word.into()),
-            Word::Command(letter) if LETTERS.contains(&letter) => Ok(letter.into()),
+            Word::Command(letter) if LETTERS.contains(&letter) || FUNCTIONS.contains(&letter) => Ok(letter.into()),
             _ => Err(Error::new(token.at, "a letter, a digit or an upright word was expected in this subscript")),
         }
     }
@@ -159,9 +200,15 @@ impl Parser<'_> {
     /// Whether the superscript here is a word or a lone minus rather than a power.
     fn is_word_above(&self) -> bool {
         let after = |k: usize| self.tokens.get(self.next + k).map(|token| token.kind);
-        let is_word = |kind| matches!(kind, Some(Word::Command("mathrm" | "min" | "max")));
-        let lone_minus = after(1) == Some(Word::Sign('-'));
-        is_word(after(1)) || lone_minus || after(1) == Some(Word::Sign('{')) && is_word(after(2))
+        let is_word = |kind| {
+            let fonts = ["mathrm", "mathit", "mathsf", "mathnormal", "operatorname", "textit", "min", "max"];
+            matches!(kind, Some(Word::Text(_))) || matches!(kind, Some(Word::Command(word)) if fonts.contains(&word))
+        };
+        let lone_minus = after(1) == Some(Word::Sign('-')) && !matches!(after(2), Some(Word::Digit(_)));
+        let braced = usize::from(after(1) == Some(Word::Sign('{')));
+        // The superscript of a symbol that there is: `F_C^{int}`.
+        let is_known = self.known.script(&self.run(self.next + 1 + braced)).is_some();
+        is_word(after(1 + braced)) || lone_minus || is_known
     }
 
     fn superscript(&mut self) -> Result<String, Error> {
@@ -169,7 +216,14 @@ impl Parser<'_> {
             return Ok("-".into());
         }
         let braced = self.took_sign('{');
-        let word = self.piece()?;
+        let script = self.known.script(&self.run(self.next)).map(str::to_owned);
+        let word = match script {
+            Some(script) => {
+                self.next += script.len();
+                script
+            }
+            None => self.piece()?,
+        };
         if braced {
             self.expect('}')?;
         }

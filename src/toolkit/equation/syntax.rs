@@ -125,6 +125,14 @@ impl Statement {
         Self { names: self.names.iter().map(|name| name.with_index(index, value)).collect(), body, ..self.clone() }
     }
 
+    /// Whether its first side is a symbol, or a function of symbols, so that it can define it.
+    pub(super) fn begins_with_symbol(&self) -> bool {
+        match &self.body {
+            Body::Chain(first, _) => matches!(first.kind, Kind::Symbol(_) | Kind::Apply(..) | Kind::Tuple(_)),
+            Body::Equal(_) | Body::ArgMin(_) => true,
+        }
+    }
+
     /// Its expressions.
     pub(super) fn expressions(&self) -> Vec<&Expr> {
         match &self.body {

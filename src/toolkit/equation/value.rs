@@ -18,6 +18,18 @@ pub(super) enum Value {
     Zero,
 }
 
+impl Value {
+    fn shape(&self) -> String {
+        match self {
+            Self::Scalar(_) => "a number".into(),
+            Self::Vector(parts) => format!("a vector of {}", parts.len()),
+            Self::Matrix(parts) => format!("a matrix of {}", parts.len()),
+            Self::Normal => "the normal of the plane".into(),
+            Self::Zero => "the zero vector".into(),
+        }
+    }
+}
+
 /// Applies an operation to every number.
 pub(super) fn each(
     graph: &mut Graph,
@@ -46,12 +58,13 @@ pub(super) fn binary(
     Ok(match (operator, left, right) {
         (Add, Value::Scalar(a), Value::Scalar(b)) => Value::Scalar(graph.sum(a, b)),
         (Subtract, Value::Scalar(a), Value::Scalar(b)) => Value::Scalar(graph.difference(a, b)),
-        (Times | Dot, Value::Scalar(a), Value::Scalar(b)) => Value::Scalar(graph.product(a, b)),
+        (Times | Dot | Cross, Value::Scalar(a), Value::Scalar(b)) => Value::Scalar(graph.product(a, b)),
         (Divide, Value::Scalar(a), Value::Scalar(b)) => Value::Scalar(graph.quotient(a, b)),
         (Divide, Value::Vector(a), Value::Scalar(b)) => {
             Value::Vector(a.into_iter().map(|a| graph.quotient(a, b)).collect())
         }
-        (Times, Value::Scalar(a), Value::Vector(b)) | (Times, Value::Vector(b), Value::Scalar(a)) => {
+        (Times | Dot | Cross, Value::Scalar(a), Value::Vector(b))
+        | (Times | Dot, Value::Vector(b), Value::Scalar(a)) => {
             Value::Vector(b.into_iter().map(|b| graph.product(a, b)).collect())
         }
         (Add, Value::Vector(a), Value::Vector(b)) if a.len() == b.len() => {
@@ -60,7 +73,7 @@ pub(super) fn binary(
         (Subtract, Value::Vector(a), Value::Vector(b)) if a.len() == b.len() => {
             Value::Vector(pairs(&a, &b).into_iter().map(|(a, b)| graph.difference(a, b)).collect())
         }
-        (Times, Value::Scalar(a), Value::Matrix(b)) | (Times, Value::Matrix(b), Value::Scalar(a)) => {
+        (Times | Dot, Value::Scalar(a), Value::Matrix(b)) | (Times | Dot, Value::Matrix(b), Value::Scalar(a)) => {
             Value::Matrix(b.into_iter().map(|b| graph.product(a, b)).collect())
         }
         (Add, Value::Matrix(a), Value::Matrix(b)) if a.len() == b.len() => {
@@ -94,7 +107,10 @@ pub(super) fn binary(
             Value::Matrix([row(1, 2), row(2, 0), row(0, 1)].concat())
         }
         (Cross, Value::Normal, Value::Vector(b)) if b.len() == 2 => Value::Vector(vec![graph.negative(b[1]), b[0]]),
-        (operator, ..) => return Err(Error::new(at, format!("{} is not defined for these", word(operator)))),
+        (operator, left, right) => {
+            let (word, left, right) = (word(operator), left.shape(), right.shape());
+            return Err(Error::new(at, format!("{word} of {left} and {right} is not defined")));
+        }
     })
 }
 

@@ -71,13 +71,13 @@ impl Found<'_> {
         names: &[String],
         describe: impl Fn(f64, String, f64, f64) -> Deviation,
     ) {
-        for (output, &value) in values.iter().enumerate() {
-            let found = self.values[output];
+        for (output, (&place, &found)) in self.equation.places().iter().zip(&self.values).enumerate() {
+            let value = values[place];
             let share = match Sensitivity::none().plus(value).share_of(found - value) {
-                share if share > EQUATION => judged(size(output).plus(value), found - value, || self.terms(output)),
+                share if share > EQUATION => judged(size(place).plus(value), found - value, || self.terms(output)),
                 share => share,
             };
-            let entry = || names[output].clone();
+            let entry = || names[place].clone();
             claim.record(share, EQUATION, |share| describe(share, entry(), found.to_f64(), value.to_f64()));
         }
         for &(first, next) in &self.equal {
@@ -175,8 +175,9 @@ fn excess(equation: &Equation, smallest: &SmallestAt, mut point: Vec<Octuple>) -
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::formula::Field;
+    use crate::connector::slot::ContactForce;
     use crate::formula::quantity::{F2, F3, FC, SEGMENT_G, X};
+    use crate::formula::{Field, Formula};
 
     fn smallest(place: f64, slope: f64) -> SmallestAt {
         let [place, low, high, objective, slope] = [place, -1.0, 1.0, 0.0, slope].map(Octuple::from);
@@ -213,7 +214,8 @@ mod tests {
 
     #[test]
     fn the_place_of_something_smallest_is_settled_from_where_it_is_known_to_be() {
-        let equation = Equation::read(NEAREST, &[], &[Field::new("x", &X)], &PLACE).expect("it can be read");
+        let equation = Equation::in_place_of(&ContactForce::SPEC, NEAREST, &[Field::new("x", &X)], &PLACE)
+            .expect("it can be read");
         let at = |x: f64, place: f64| {
             let found = found(&equation, &[x.into()], &[place.into()]);
             let numbers = [&found.values, &found.jacobian, &found.motion, &found.by_place];
@@ -236,7 +238,8 @@ mod tests {
     /// value.
     fn recorded(latex: &str, value: Octuple) -> (usize, usize, Deviation) {
         let fields = [Field::new("f2", &F2), Field::new("f3", &F3)];
-        let equation = Equation::read(latex, &[], &fields, &[Field::new("fc", &FC)]).expect("it can be read");
+        let equation = Equation::in_place_of(&ContactForce::SPEC, latex, &fields, &[Field::new("fc", &FC)])
+            .expect("it can be read");
         let (mut claim, point) = (Claim::new("so", EQUATION), [3.0, 4.0].map(Octuple::from));
         let size = |_| Sensitivity::none().plus(value);
         found(&equation, &point, &[]).record_values(&mut claim, &[value], size, &["fc".into()], described);
@@ -269,7 +272,8 @@ mod tests {
 
     #[test]
     fn a_better_place_is_recorded_beside_the_values() {
-        let equation = Equation::read(NEAREST, &[], &[Field::new("x", &X)], &PLACE).expect("it can be read");
+        let equation = Equation::in_place_of(&ContactForce::SPEC, NEAREST, &[Field::new("x", &X)], &PLACE)
+            .expect("it can be read");
         let recorded = |x: f64, place: f64| {
             let (mut claim, place) = (Claim::new("so", EQUATION), [Octuple::from(place)]);
             let size = |_| Sensitivity::none();
@@ -287,7 +291,8 @@ mod tests {
     #[test]
     fn entries_of_the_jacobian_are_compared() {
         let fields = [Field::new("f2", &F2), Field::new("f3", &F3)];
-        let equation = Equation::read(ROOT, &[], &fields, &[Field::new("fc", &FC)]).expect("it can be read");
+        let equation = Equation::in_place_of(&ContactForce::SPEC, ROOT, &fields, &[Field::new("fc", &FC)])
+            .expect("it can be read");
         let found = found(&equation, &[3.0, 4.0].map(Octuple::from), &[]);
         let off = |part: f64| {
             let mut claim = Claim::new("so", EQUATION);
@@ -326,7 +331,7 @@ mod tests {
     fn terms_are_those_of_a_number_and_of_the_place_that_it_depends_on() {
         let fields = [Field::new("x", &X), Field::new("f2", &F2)];
         let latex = r"g = \operatorname*{arg\,min}_{-1\le g\le 1} f_2 (3 x+g)^2,\quad F_C = f_2 x - x g^3";
-        let equation = Equation::read(latex, &[], &fields, &[PLACE[0], Field::new("fc", &FC)]);
+        let equation = Equation::in_place_of(&ContactForce::SPEC, latex, &fields, &[PLACE[0], Field::new("fc", &FC)]);
         let equation = equation.expect("it can be read");
         let found = found(&equation, &[0.25, -5.0].map(Octuple::from), &[0.5.into(), 0.0.into()]);
         let sizes = |of: &dyn Fn(Option<usize>) -> Octuple| [None, Some(0), Some(1), Some(2)].map(|by| of(by).to_f64());

@@ -15,16 +15,14 @@ use crate::toolkit::equation::Equation;
 /// ```
 /// use jointproof::catalog::AnyFormula;
 /// use jointproof::toolkit::equation::Equation;
-/// use jointproof::formula::Fields;
-/// use jointproof::connector::slot::{Contact, ContactForce, CrossForces};
+/// use jointproof::connector::slot::ContactForce;
 /// use jointproof::toolkit::verify::Options;
 ///
-/// let (inputs, outputs) = (CrossForces::<f64>::FIELDS, Contact::<f64>::FIELDS);
 /// let trial = ContactForce.trial(&Options { samples: 5, seed: 1 });
 /// let renamed = [("a", "f2"), ("b", "f3"), ("F", "fc")];
-/// let right = Equation::read(r"F = \sqrt{a^2 + b^2}", &renamed, inputs, outputs)?;
+/// let right = Equation::read(r"F = \sqrt{a^2 + b^2}", &renamed, &ContactForce.signature())?;
 /// assert!(trial.compare(&right).held());
-/// let wrong = Equation::read(r"F = \sqrt{a^2 - b^2}", &renamed, inputs, outputs)?;
+/// let wrong = Equation::read(r"F = \sqrt{a^2 - b^2}", &renamed, &ContactForce.signature())?;
 /// assert_eq!(trial.first_difference(&wrong).unwrap().entry, "fc");
 /// # Ok::<(), jointproof::toolkit::equation::Error>(())
 /// ```
@@ -111,12 +109,12 @@ mod tests {
         assert_eq!(points(5), points(0) + 5);
     }
 
-    use crate::connector::slot::{Contact, ContactForce, CrossForces};
-    use crate::formula::Fields;
+    use crate::catalog::AnyFormula;
+    use crate::connector::slot::ContactForce;
 
     fn read(latex: &str) -> Equation {
         let renamed = [("a", "f2"), ("b", "f3"), ("F", "fc")];
-        Equation::read(latex, &renamed, CrossForces::<f64>::FIELDS, Contact::<f64>::FIELDS).expect("it can be read")
+        Equation::read(latex, &renamed, &ContactForce.signature()).expect("it can be read")
     }
 
     /// A deviation at one of many points is found there, and nothing elsewhere.

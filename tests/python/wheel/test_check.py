@@ -141,3 +141,40 @@ def test_jax_is_derived():
     assert set(grades(checked).values()) != {"right"}
     also = jointproof.check("slot.relative_motion", lambda x, x0, l1_ref: (x - x0, x - l1_ref), "jax", samples=50, invalid=False)
     assert also, also
+
+
+def test_jax_is_mapped_and_what_cannot_be_mapped_is_asked_point_by_point():
+    jax = wanted("jax")
+    jnp = wanted("jax.numpy")
+    jax.config.update("jax_enable_x64", True)
+    calls = []
+
+    def mapped(x, x0, l1_ref):
+        calls.append(1)
+        return x - x0, x - l1_ref
+
+    assert jointproof.check("slot.relative_motion", mapped, "jax", samples=200, invalid=False)
+    assert len(calls) <= 4, "it is traced, not called at every point"
+
+    def branching(f2, f3):
+        return jnp.hypot(f2, f3) if f2 != 0 or f3 != 0 else jnp.abs(f2)
+
+    wrong = lambda f2, f3: -branching(f2, f3)  # noqa: E731
+    assert grades(jointproof.check("slot.contact_force", branching, "jax", samples=20, invalid=False))["fc"] != "wrong"
+    assert grades(jointproof.check("slot.contact_force", wrong, "jax", samples=20, invalid=False))["fc"] == "wrong"
+    rows = lambda x, x0, l1_ref: (x - x0, x - l1_ref)  # noqa: E731
+    assert jointproof.check("slot.relative_motion", rows, "jax", samples=50, invalid=False, vectorized=True)
+
+
+def test_jax_in_single_precision_is_found():
+    jax = wanted("jax")
+    jnp = wanted("jax.numpy")
+    jax.config.update("jax_enable_x64", False)
+    try:
+        checked = jointproof.check("slot.contact_force", lambda f2, f3: jnp.hypot(f2, f3), "jax", samples=50, invalid=False)
+    finally:
+        jax.config.update("jax_enable_x64", True)
+    assert not checked
+    assert "jax_enable_x64" in checked.text and "jax_enable_x64" in checked.noticed[0], checked
+    assert any("32 bits" in cause for cause in checked.causes), checked.causes
+    assert "jax_enable_x64" in checked._repr_html_()

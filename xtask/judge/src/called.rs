@@ -77,9 +77,15 @@ impl Called {
         self.wanted.numbers(sizes(self.formula))
     }
 
-    /// Judges both sets of answers, in the order of the points. `None` if an answer is missing or has the wrong count
-    /// of numbers.
-    pub fn judge(&self, name: &str, answers: &[Vec<Answer>; 2], is_strict: bool) -> Option<Judged> {
+    /// Judges both sets of answers, in the order of the points, with remarks on how they came about. `None` if an answer is
+    /// missing or has the wrong count of numbers.
+    pub fn judge(
+        &self,
+        name: &str,
+        answers: &[Vec<Answer>; 2],
+        is_strict: bool,
+        noticed: Vec<String>,
+    ) -> Option<Judged> {
         let is_whole = |answer: &Answer| match answer {
             Answer::Numbers(numbers) => numbers.len() == self.numbers(),
             _ => true,
@@ -90,7 +96,8 @@ impl Called {
         }
         let bounds = Bounds::of(self.formula);
         let court = Court { formula: self.formula, wanted: self.wanted, bounds, questions: &self.questions, is_strict };
-        let judgement = court.judged(&[name.to_owned()], answers, &Heard::default());
+        let heard = Heard { noticed, ..Heard::default() };
+        let judgement = court.judged(&[name.to_owned()], answers, &heard);
         let names = names(self.formula.inputs(), self.formula.outputs(), self.wanted);
         let tallies = judgement.found.tallies.iter().enumerate().zip(names);
         let numbers = tallies.map(|((place, tally), name)| Number {
@@ -130,12 +137,13 @@ mod tests {
         };
         let right: Vec<_> = called.points().map(answer).collect();
         assert!(right.iter().any(|answer| matches!(answer, Answer::Refused(_))));
-        let judged = called.judge("mine", &[right.clone(), right.clone()], true).unwrap();
-        assert!(judged.is_well, "{}", judged.text);
+        let judged = called.judge("mine", &[right.clone(), right.clone()], true, vec!["it is slow".into()]).unwrap();
+        assert!(judged.is_well && judged.text.contains("noticed: it is slow"), "{}", judged.text);
         let with_first = |first| [&[first][..], &right[1..]].concat();
         assert!(called.judge("mine", &[right.clone(), with_first(Answer::Numbers(Vec::new()))], false).is_none());
-        assert!(called.judge("mine", &[right.clone(), right[1..].to_vec()], false).is_none());
-        let refused = called.judge("mine", &[with_first(Answer::Refused(None)), right.clone()], false).unwrap();
+        assert!(called.judge("mine", &[right.clone(), right[1..].to_vec()], false, Vec::new()).is_none());
+        let refused =
+            called.judge("mine", &[with_first(Answer::Refused(None)), right.clone()], false, Vec::new()).unwrap();
         assert!(!refused.is_well, "{}", refused.text);
         let valid = Called::new(formula, false, &Options { samples: 10, ..Options::default() }, false);
         let mut order = called.other_order();

@@ -23,6 +23,7 @@ mod verdict;
 pub use answer::{Answer, Heard, Manners};
 pub use called::{Called, Judged, Number};
 pub use judgement::Judgement;
+pub use map::components;
 pub use parts::{Part, Standing};
 pub use question::{Question, Wanted, of_points, other_order, sizes};
 pub use taylor::questions;

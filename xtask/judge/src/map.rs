@@ -20,7 +20,8 @@ pub(super) fn names(inputs: &[Field], outputs: &[Field], wanted: Wanted) -> Vec<
     outputs.iter().cloned().chain(more).collect()
 }
 
-fn components(fields: &[Field]) -> Vec<String> {
+/// The names of the components of fields: `fc`, `e1a[0]`.
+pub fn components(fields: &[Field]) -> Vec<String> {
     let of_field = |field: &Field| match field.len() {
         1 => vec![field.name.to_owned()],
         len => (0..len).map(|k| format!("{}[{k}]", field.name)).collect(),

@@ -13,7 +13,7 @@ use std::io::{IsTerminal, stdout};
 /// List the formulas, or show them in full
 ///
 /// Identifier and title, a line each; with --show also source, equation, inputs and outputs in order, bounds and kinks. On a
-/// terminal equations are text; elsewhere they are LaTeX, as the command `equation` reads it.
+/// terminal equations are text and LaTeX; elsewhere they are LaTeX, as the command `equation` reads it.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   {command} formulas                               all of them
@@ -51,6 +51,9 @@ fn shown(project: &Project, formula: &dyn AnyFormula, mathematics: fn(&str) -> S
     let spec = formula.spec();
     let mut text = format!("{}  {}\n    {}; {}\n", bold(spec.id), spec.title, spec.source, spec.source.provenance);
     let mut lines: Vec<_> = mathematics(spec.latex).lines().map(str::to_owned).collect();
+    if lines != [spec.latex] {
+        lines.push(format!("in LaTeX: {}", spec.latex));
+    }
     lines.extend(formula.inputs().iter().map(|field| described("in", field)));
     lines.extend(formula.outputs().iter().map(|field| described("out", field)));
     lines.push(format!("{}, at sizes {}", prove::accuracy(project, formula, None), spec.sizes()));

@@ -6,7 +6,7 @@ use crate::book::{Fault, Numeral, Origin, coverage, is_rounded};
 use crate::console::{count, figure};
 use crate::project::Project;
 use jointproof::catalog::AnyFormula;
-use jointproof::toolkit::equation::{Claims, Signature, View};
+use jointproof::toolkit::equation::{Claims, View};
 use jointproof::toolkit::verify::{self, Claim, Options, Printed};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use std::collections::BTreeMap;
@@ -81,7 +81,7 @@ fn entry(formula: &dyn AnyFormula) -> (Tally, Vec<Fault>) {
 
 /// Executes the views that an entry shows below its equation: the closed form and the variation.
 fn views(formula: &dyn AnyFormula, tally: &mut Tally) -> Result<(), String> {
-    let signature = Signature { spec: formula.spec(), inputs: formula.inputs(), outputs: formula.outputs() };
+    let signature = formula.signature();
     let unread = |error: jointproof::toolkit::equation::Error| error.to_string();
     let view = View::of(&signature).map_err(unread)?;
     // Nothing is shown if two entries use one symbol for different things.

@@ -22,7 +22,7 @@ fn failed(audit: &Audit) -> impl Iterator<Item = &Claim> {
 pub(crate) fn chapter() -> anyhow::Result<String> {
     let mut text = String::new();
     for (k, piece) in pieces::all().iter().enumerate() {
-        let Piece { thread, there, here, formula, claim, planted, audit, control } = piece;
+        let Piece { thread, there, here, formula, claim, planted, audit, control, judged } = piece;
         let (audit, control) = (audit(), control());
         let failed: Vec<&Claim> = failed(&audit).collect();
         ensure!(failed.iter().any(|failed| failed.claim.contains(claim)), "{thread} is not caught in {formula}");
@@ -41,6 +41,16 @@ pub(crate) fn chapter() -> anyhow::Result<String> {
                 let [one, other] = planted.compared(&claim.claim);
                 let _ = writeln!(text, "    at {}: {one} {:?}, {other} {:?}", worst.entry, worst.found, worst.expected);
             }
+        }
+        text += "```\n\n";
+        let [wrong, right] = judged.map(|judged| judged());
+        ensure!(right.is_well, "check refuses {formula} without the error of {thread}:\n{}", right.text);
+        let _ = writeln!(text, "As a program it is judged by `check`:\n\n```text");
+        for (part, _) in &wrong.parts {
+            let _ = writeln!(text, "{}: {}", part.title, part.says);
+        }
+        for cause in &wrong.causes {
+            let _ = writeln!(text, "{cause}");
         }
         text += "```\n\n";
     }
@@ -96,7 +106,7 @@ mod tests {
     fn every_error_is_caught_by_the_audit_of_its_formula_alone() {
         let pieces = pieces::all();
         assert_eq!(pieces.len(), 12);
-        for Piece { thread, claim, audit, control, formula, .. } in pieces {
+        for Piece { thread, claim, audit, control, formula, judged, .. } in pieces {
             assert!(jointproof::catalog::find(formula).is_some(), "{formula}");
             let found = failed(&audit()).map(|failed| failed.claim.clone()).collect::<Vec<_>>();
             assert!(found.iter().any(|failed| failed.contains(claim)), "{thread}: {claim:?} is not among {found:?}");
@@ -104,6 +114,8 @@ mod tests {
             let wrong = failed(&control).collect::<Vec<_>>();
             assert!(wrong.is_empty(), "{thread}: without the error {wrong:#?}");
             assert!(control.claims().any(|held| held.claim.contains(claim) && held.checks > 0), "{thread}: {claim}");
+            let [wrong, right] = judged.map(|judged| judged());
+            assert!(right.is_well && !wrong.is_well, "{thread}: {}\n{}", right.text, wrong.text);
         }
     }
 }

@@ -1,6 +1,7 @@
 //! The description of an error.
 
 use jointproof::toolkit::verify::Audit;
+use judge::Judged;
 
 /// What an error makes wrong.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -47,4 +48,6 @@ pub(crate) struct Piece {
     pub(crate) audit: fn() -> Audit,
     /// The audit of the same formula in the same wrapping, without the error.
     pub(crate) control: fn() -> Audit,
+    /// What `check` says of a program that is the formula with the error, and of one without it.
+    pub(crate) judged: [fn() -> Judged; 2],
 }

@@ -1,7 +1,7 @@
 //! The errors. Rows of a Jacobian are the outputs, columns the inputs, with components in the order of the entry.
 
 use super::piece::{Piece, Planted};
-use super::shipped::{Inputs, Mistake, Right, Rows, Shipped, changed, rows};
+use super::shipped::{Inputs, Mistake, Right, Rows, Shipped, changed, judged, rows};
 use jointproof::connector::{slot, ujoint, universal};
 use jointproof::contact::{coulomb, slide_line};
 use jointproof::element;
@@ -9,14 +9,16 @@ use jointproof::formula::proof::Proved;
 use jointproof::formula::{Fields, Formula};
 use jointproof::number::scalar::{Scalar, norm};
 use jointproof::toolkit::verify::{Audit, Options, audit};
+use judge::Judged;
 
-const OPTIONS: Options = Options { samples: 40, seed: 1 };
+pub(super) const OPTIONS: Options = Options { samples: 40, seed: 1 };
 
 fn piece<M: Mistake>([thread, there, here]: [&'static str; 3], claim: &'static str) -> Piece {
     let control: fn() -> Audit = || audit::<Shipped<Right<M::Of>>>(&OPTIONS);
     let formula = M::Of::SPEC.id;
     let planted = if in_value::<M>() { Planted::Value } else { Planted::Jacobian };
-    Piece { thread, there, here, formula, claim, planted, audit: || audit::<Shipped<M>>(&OPTIONS), control }
+    let judged: [fn() -> Judged; 2] = [judged::<M>, judged::<Right<M::Of>>];
+    Piece { thread, there, here, formula, claim, planted, audit: || audit::<Shipped<M>>(&OPTIONS), control, judged }
 }
 
 /// Whether the value is wrong at a case of the formula, alone or where it comes with the Jacobian.

@@ -1,9 +1,11 @@
 //! A formula of this project with an error in it.
 
-use jointproof::Error;
+use super::pieces::OPTIONS;
 use jointproof::formula::proof::{Case, Kink, Proved};
-use jointproof::formula::{Component, Fields, Finite, Formula, Jacobian, Spec, ValueAndJacobian};
+use jointproof::formula::{Component, Fields, Finite, Formula, Jacobian, Spec, ValueAndJacobian, value_and_jacobian};
 use jointproof::number::scalar::Scalar;
+use jointproof::{Error, catalog};
+use judge::{Answer, Called, Judged};
 
 /// The inputs of the formula in which an error is re-enacted.
 pub(super) type Inputs<M, D> = <<M as Mistake>::Of as Formula>::Inputs<D>;
@@ -100,4 +102,19 @@ impl<M: Mistake> Proved for Shipped<M> {
         let same = |kink: Kink<M::Of>| Kink::new(kink.convention, kink.condition, kink.holds, kink.at, kink.across);
         M::Of::kinks().into_iter().map(same).collect()
     }
+}
+
+/// The judgement of the formula with the error, as of anybody's program.
+pub(super) fn judged<M: Mistake>() -> Judged {
+    let id = M::Of::SPEC.id;
+    let called = Called::new(catalog::find(id).expect("it is in the catalog"), true, &OPTIONS, true);
+    let answer = |inputs: &[f64]| {
+        let inputs = Inputs::<M, f64>::from_slice(inputs);
+        let answered = inputs.and_then(|i| value_and_jacobian::<Shipped<M>>(&i).ok());
+        let Some((value, rows)) = answered else { return Answer::Refused(None) };
+        let rows = rows.components().into_iter().flat_map(|row| row.components());
+        Answer::Numbers(value.components().into_iter().chain(rows).map(Some).collect())
+    };
+    let answers: Vec<_> = called.points().map(answer).collect();
+    called.judge("the formula", &[answers.clone(), answers], false, Vec::new()).expect("every point is answered")
 }

@@ -15,7 +15,8 @@ pub(super) fn members(family: &Family) -> Vec<Member> {
         _ => UEL,
     };
     let mut members = vec![family.replaced("as it is", &[]), wrapped(family)];
-    members.extend(variants.iter().map(|(name, texts)| family.replaced(name, texts)));
+    let textbook = if matches!(family.abi, "fric" | "uinter") { TEXTBOOK } else { &[] };
+    members.extend(variants.iter().chain(textbook).map(|(name, texts)| family.replaced(name, texts)));
     if family.abi == "fric" {
         let text = include_str!("fric_fixed.f").to_owned();
         members.push(Member { name: "fixed form with ABA_PARAM.INC".into(), text, is_fixed_form: true });
@@ -48,6 +49,31 @@ fn wrapped(family: &Family) -> Member {
     );
     Member { name: "through a wrapper".into(), text, is_fixed_form: false }
 }
+
+const DECLARED: (&str, &str) = ("    ! begin\n", include_str!("textbook_declared.f90"));
+const LINE_DECLARED: (&str, &str) = ("    ! begin\n", include_str!("textbook_line_declared.f90"));
+
+/// The square root of a sum of squares, and the projector δ − n nᵀ in slip.
+const TEXTBOOK: &[Variant] = &[
+    ("the square root of a sum of squares", &[("hypot(t1, t2)", "sqrt(t1**2 + t2**2)")]),
+    (
+        "the projector",
+        &[
+            ("slope * n2 * n2", "slope * (1 - n1 * n1)"),
+            ("slope * n1 * n1", "slope * (1 - n2 * n2)"),
+            ("-slope * n1 * n2", "slope * (0 - n1 * n2)"),
+            ("-slope * n2 * n1", "slope * (0 - n2 * n1)"),
+        ],
+    ),
+    (
+        "both",
+        &[
+            ("hypot(t1, t2)", "sqrt(t1*t1 + t2*t2)"),
+            ("slope * n2 * n2", "slope * (1 - n1**2)"),
+            ("slope * n1 * n1", "slope * (1 - n2**2)"),
+        ],
+    ),
+];
 
 const FRIC: &[Variant] = &[
     (
@@ -205,6 +231,16 @@ const UINTER: &[Variant] = &[
 
 const MPC: &[Variant] = &[
     (
+        "the projector of a textbook",
+        &[
+            LINE_DECLARED,
+            (
+                "    code = jp_slider_eliminate_jacobian(x1, xn, kept, y(1), y(2), slope)\n",
+                concat!("    chosen = axes(1:2)\n", include_str!("textbook_line.f90")),
+            ),
+        ],
+    ),
+    (
         "coefficients with the other sign",
         &[
             ("a(1) = 1", "a(1) = -1"),
@@ -251,6 +287,16 @@ const MPC: &[Variant] = &[
 ];
 
 const MPC_NODE: &[Variant] = &[
+    (
+        "the projector of a textbook",
+        &[
+            LINE_DECLARED,
+            (
+                "    code = jp_slider_eliminate_jacobian(x1, xn, kept, y(1), y(2), slope)\n",
+                concat!("    chosen = [i, j]\n", include_str!("textbook_line.f90")),
+            ),
+        ],
+    ),
     (
         "eliminated in the other order",
         &[
@@ -304,6 +350,20 @@ const MPC_NODE: &[Variant] = &[
 
 const UMPC_USER: &[Variant] = &[
     (
+        "the projector of a textbook",
+        &[
+            DECLARED,
+            (
+                "    code = jp_slider_constraint_jacobian(x1, xn, xm, g(1), g(2), slope)\n",
+                concat!(
+                    "    with_first = 0\n    with_second = 0\n",
+                    include_str!("textbook.f90"),
+                    "    g = gaps\n    slope = of_gaps\n"
+                ),
+            ),
+        ],
+    ),
+    (
         "the number of the equation as a branch",
         &[("equation = nint(x(1, 10))", "equation = 1\n    if (x(1, 10) > 1.5_dp) equation = 2")],
     ),
@@ -340,6 +400,21 @@ const UMPC_USER: &[Variant] = &[
 ];
 
 const UEL: &[Variant] = &[
+    (
+        "the projector of a textbook",
+        &[
+            DECLARED,
+            (
+                "    code = jp_slider_constraint_jacobian(x1, xn, xm, g(1), g(2), of_g)\n    \
+                 code = jp_slider_nodal_forces_jacobian(x1, xn, xm, first, second, f(1:3), f(4:6), f(7:9), of_f)\n",
+                concat!(
+                    "    with_first = first\n    with_second = second\n",
+                    include_str!("textbook.f90"),
+                    "    g = gaps\n    of_g = of_gaps\n    f = loads\n    of_f = of_loads\n"
+                ),
+            ),
+        ],
+    ),
     (
         "always both, whatever LFLAGS(3) asks",
         &[

@@ -105,7 +105,7 @@ impl Called {
         self.called.other_order()
     }
 
-    /// Judges both sets of answers, in the order of the points.
+    /// Judges both sets of answers, in the order of the points, with remarks on how they came about.
     fn judge(
         &self,
         py: Python<'_>,
@@ -113,9 +113,10 @@ impl Called {
         first: Vec<Bound<'_, PyAny>>,
         second: Vec<Bound<'_, PyAny>>,
         strict: bool,
+        noticed: Vec<String>,
     ) -> PyResult<Judged> {
         let answers = [answers(&first)?, answers(&second)?];
-        let judged = on_all_cores(py, || self.called.judge(name, &answers, strict));
+        let judged = on_all_cores(py, || self.called.judge(name, &answers, strict, noticed));
         let judged = judged.ok_or_else(|| PyValueError::new_err("an answer has not as many numbers as the formula"))?;
         let parts = judged.parts.into_iter().map(|(part, point)| Py::new(py, Part::of(part, point)));
         let numbers = judged.numbers.into_iter().map(|number| Py::new(py, Found::from(number)));

@@ -16,7 +16,7 @@ use jointproof::catalog::{AnyFormula, KinkEntry};
 use jointproof::formula::proof::Convention;
 use jointproof::formula::quantity::Shape;
 use jointproof::formula::{Field, Given, Source};
-use jointproof::toolkit::equation::{Signature, View};
+use jointproof::toolkit::equation::View;
 use jointproof::toolkit::verify::golden::File;
 use jointproof::toolkit::verify::{Rank, Sides};
 use mdbook_driver::config::Config;
@@ -100,7 +100,7 @@ fn entry(project: &Project, formula: &dyn AnyFormula, index: &Index<'_>, evidenc
     let golden = text.as_ref().and_then(|text| File::parse(text).ok());
     let checked = evidence.golden.get(spec.id);
     // An equation that cannot be read is reported by the audit.
-    let view = View::of(&Signature { spec, inputs: formula.inputs(), outputs: formula.outputs() }).ok().flatten();
+    let view = View::of(&formula.signature()).ok().flatten();
     Entry {
         id: spec.id.into(),
         title: spec.title.into(),

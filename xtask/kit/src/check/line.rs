@@ -51,7 +51,7 @@ pub(super) fn read(line: &str, expected: usize, digits: Digits, manners: &mut Ma
         }
     }
     if numbers.len() != expected {
-        return Answer::Bad(format!("{} numbers instead of {expected}", numbers.len()));
+        return Answer::Bad(count_is(numbers.len(), expected));
     }
     for (manner, count) in seen {
         *manners.entry(manner).or_default() += count;
@@ -154,6 +154,11 @@ fn special(text: &str) -> Option<f64> {
 
 fn shortened(token: &str) -> String {
     if token.chars().count() <= 30 { token.to_owned() } else { token.chars().take(30).chain(['…']).collect() }
+}
+
+/// The fault of an answer with another count of numbers.
+pub(super) fn count_is(found: usize, expected: usize) -> String {
+    format!("{found} numbers instead of {expected}")
 }
 
 #[cfg(test)]

@@ -57,6 +57,12 @@ pub(super) fn listen(
         (answer, manners)
     };
     let read: Vec<_> = replies.into_par_iter().enumerate().map(read).collect();
+    let both = Wanted::Jacobian.numbers(sizes(formula));
+    let is_of_both = |answer: &Answer| *answer == Answer::Bad(line::count_is(both, numbers));
+    if matches!(manner.wanted, Wanted::Value) && read.iter().all(|(answer, _)| is_of_both(answer)) {
+        let why = format!("it answers {both} numbers, outputs and Jacobian, but {numbers}, the outputs, are asked for");
+        return Ok(Err(format!("{why}: with --wanted jacobian both are judged")));
+    }
     for (k, ((answer, manners), &place)) in read.into_iter().zip(&order).enumerate() {
         answers[usize::from(k >= questions.len())][place] = answer;
         for (manner, count) in manners {

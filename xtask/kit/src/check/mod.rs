@@ -11,5 +11,6 @@ mod listen;
 mod peer;
 mod process;
 mod random;
+mod violated;
 
 pub(crate) use command::{Arguments, run};

@@ -2,6 +2,7 @@
 
 use super::line::{self, Digits};
 use super::process::{Next, Process};
+use crate::console::progress;
 use crate::outcome::Usage;
 use std::collections::BTreeSet;
 use std::process::ExitStatus;
@@ -185,12 +186,15 @@ impl Peer<'_> {
         let mut answers = Vec::with_capacity(questions.len());
         let limit = |line: usize| if line == 0 { self.limit * START } else { self.limit };
         let mut next = (0..before).map(|k| process.line(limit(k))).find(|next| !matches!(next, Next::Line(_)));
+        let bar = progress("asked", questions.len());
         while next.is_none() && answers.len() < questions.len() {
             match self.answer(&process, layout, limit(before + answers.len())) {
                 Next::Line(line) => answers.push(line),
                 other => next = Some(other),
             }
+            bar.inc(1);
         }
+        bar.finish_and_clear();
         let mut more = 0;
         while next.is_none() {
             match process.line(self.limit) {

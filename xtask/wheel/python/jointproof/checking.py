@@ -2,7 +2,6 @@
 
 import html
 import inspect
-import warnings
 
 import numpy as np
 
@@ -18,15 +17,17 @@ class Checked:
     it ``says``, ``details``, and the simplest ``point`` that is not right; ``causes`` has the mistakes that explain what is wrong,
     ``text`` everything, and ``numbers`` every output and every entry of the Jacobian, with its ``name``, its ``grade`` (right,
     inaccurate, wrong), how often it was ``checked`` at ordinary points and ``off`` there, its ``bound``, and the ``worst`` η, with what
-    was found and what is exact at ``inputs``. It prints as text, and a notebook shows the parts and the map of entries."""
+    was found and what is exact at ``inputs``; ``noticed`` are remarks on how the function was called. It prints as text, and a
+    notebook shows the parts and the map of entries."""
 
-    def __init__(self, formula, judged):
+    def __init__(self, formula, judged, noticed):
         self.formula = formula.id
         self.is_well = judged.is_well
         self.text = judged.text
         self.causes = judged.causes
         self.parts = judged.parts
         self.numbers = judged.numbers
+        self.noticed = noticed
         self._formula = formula
 
     def __repr__(self):
@@ -36,7 +37,7 @@ class Checked:
         return self.is_well
 
     def _repr_html_(self):
-        causes = "".join(f"<li>{html.escape(cause)}</li>" for cause in self.causes)
+        causes = "".join(f"<li>{html.escape(cause)}</li>" for cause in [*self.noticed, *self.causes])
         rows = "".join(
             f"<tr><td>{html.escape(part.title)}</td><td>{html.escape(part.says)}</td></tr>" for part in self.parts
         )
@@ -79,7 +80,9 @@ def check(formula, function, jacobian=None, *, samples=None, seed=None, invalid=
 
     ``jacobian`` is a function of the same inputs that returns the derivatives: an array of the components of the outputs by
     those of the inputs; for every output, in order or by names, those by every input; or for the one output there is, those by
-    every input. ``True`` says that ``function`` returns outputs and derivatives; ``"jax"`` has ``jax.jacfwd`` derive it.
+    every input. ``True`` says that ``function`` returns outputs and derivatives; ``"jax"`` has ``jax.jacfwd`` derive it, for all
+    points at once by ``jax.vmap`` if the function can be mapped. Whether JAX may use 64 bits is the caller's: if its switch
+    ``jax_enable_x64`` is off, the verdict says so first.
 
     Inputs that the formula refuses are asked for too, unless ``invalid`` is false: a function refuses them by a ValueError or an
     ArithmeticError, or by NaN or infinity. A NotImplementedError leaves a point out.
@@ -95,14 +98,17 @@ def check(formula, function, jacobian=None, *, samples=None, seed=None, invalid=
     formula = find(formula)
     called = _jointproof.Called(formula._place, jacobian is not None, samples, seed, invalid)
     points, order = called.points(), np.array(called.other_order(), dtype=int)
-    asked = _asked(formula, function, jacobian)
-    ask = _all_at_once if vectorized else _one_by_one
-    first = ask(formula, asked, points)
+    if jacobian == "jax":
+        ask, noticed = _by_jax(formula, function, vectorized)
+    else:
+        asked, noticed = _asked(formula, function, jacobian), []
+        ask = lambda points: (_all_at_once if vectorized else _one_by_one)(formula, asked, points)  # noqa: E731
+    first = ask(points)
     second = [None] * len(points)
-    for place, answer in zip(order, ask(formula, asked, points[order])):
+    for place, answer in zip(order, ask(points[order])):
         second[place] = answer
     name = getattr(function, "__name__", type(function).__name__)
-    return Checked(formula, called.judge(name, first, second, strict))
+    return Checked(formula, called.judge(name, first, second, strict, noticed), noticed)
 
 
 def _asked(formula, function, jacobian):
@@ -112,15 +118,35 @@ def _asked(formula, function, jacobian):
         return lambda inputs: (function(inputs), None)
     if jacobian is True:
         return lambda inputs: function(inputs)
-    if jacobian == "jax":
-        import jax
-
-        if not jax.config.jax_enable_x64:
-            warnings.warn("jax computes with 32 bits: jax.config.update('jax_enable_x64', True) is missing", stacklevel=3)
-        derived = jax.jacfwd(lambda *inputs: _outputs(formula, function(inputs)), argnums=tuple(range(len(formula.inputs))))
-        return lambda inputs: (function(inputs), derived(*inputs))
     derivatives = _by_name_or_place(formula, jacobian)
     return lambda inputs: (function(inputs), derivatives(inputs))
+
+
+_SINGLE = "JAX computes with 32 bits, since jax_enable_x64 is off: jax.config.update('jax_enable_x64', True) before anything else"
+
+
+def _by_jax(formula, function, vectorized):
+    """What answers points by a function of JAX, its derivatives and what is to be said about them."""
+    import jax
+
+    called = _by_name_or_place(formula, function)
+    of_point = lambda *inputs: _outputs(formula, called(inputs))  # noqa: E731
+    derived = jax.jacfwd(of_point, argnums=tuple(range(len(formula.inputs))))
+    noticed = [] if jax.config.jax_enable_x64 else [_SINGLE]
+
+    def mapped(inputs):
+        # A function of all points at once is mapped over rows of one point.
+        alone = (lambda *one: tuple(x[0] for x in of_point(*(x[None] for x in one)))) if vectorized else of_point
+        by = jax.jacfwd(alone, argnums=tuple(range(len(formula.inputs)))) if vectorized else derived
+        return jax.vmap(lambda *one: (alone(*one), by(*one)))(*inputs)
+
+    def ask(points):
+        try:
+            return _all_at_once(formula, mapped, points)
+        except Exception:  # noqa: BLE001: what cannot be mapped, by branches on values for instance, is asked point by point
+            return _one_by_one(formula, lambda inputs: (called(inputs), derived(*inputs)), points)
+
+    return ask, noticed
 
 
 def _by_name_or_place(formula, function):
