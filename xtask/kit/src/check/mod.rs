@@ -13,3 +13,4 @@ mod process;
 mod random;
 
 pub(crate) use command::{Arguments, run};
+pub(crate) use driver::abi::filled;

@@ -4,14 +4,14 @@
 
 // Why inputs are refused: the name and the position from 1 of the first that is not finite or not
 // in its domain; or what they must be together, by a position behind all inputs.
-export function refused({ inputs, required, value }, i) {
+export function refused({ inputs, required, value, step = value }, i) {
     for (const [k, { name, length, allowed }] of inputs.entries()) {
         const all = length === 1 ? [i[name]] : i[name];
         if (!all.every((x) => Number.isFinite(x) && allowed.every((holds) => holds(x)))) {
             return { name, position: k + 1 };
         }
     }
-    const { refusal } = value(i);
+    const { refusal } = step(i);
     if (!(refusal > 0)) return undefined;
     return { name: required[refusal - 1], position: inputs.length + refusal };
 }
