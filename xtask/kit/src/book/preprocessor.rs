@@ -100,6 +100,7 @@ impl Formulary {
             ("kinks", "") => tables::kinks(pages, at),
             ("evidence", "") => tables::evidence(pages, at),
             ("sources", "") => tables::sources(pages, at),
+            ("downloads", "") => tables::downloads(pages, at),
             ("speed", part) => speed::part(pages, at, part).unwrap_or_else(|| unknown(pages, at, name, argument)),
             ("table", name) => tables::named(pages, at, name),
             _ => unknown(pages, at, name, argument),

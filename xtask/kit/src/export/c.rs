@@ -14,9 +14,13 @@ use std::path::Path;
 
 pub(super) struct C;
 
-const RUNTIME: &str = include_str!("runtime/jp_runtime.h");
+pub(super) const RUNTIME: &str = include_str!("runtime/jp_runtime.h");
 /// What marks arrays that results are written to, in C and in C++.
-const ARRAYS: &str = include_str!("runtime/jp_arrays.h");
+pub(super) const ARRAYS: &str = include_str!("runtime/jp_arrays.h");
+/// Whether the compiler keeps the order of operations.
+const SELF_TEST: &str = include_str!("runtime/jp_self_test.c");
+/// How other projects find the library.
+const PKG_CONFIG: &str = include_str!("runtime/jointproof.pc.in");
 /// Reserved words of C and C++ that could be the name of a quantity, and names used in the functions themselves.
 const RESERVED: [&str; 37] = [
     "auto",
@@ -61,17 +65,19 @@ const FLAGS: [&str; 6] = ["-std=c99", "-O2", "-ffp-contract=off", "-Wall", "-Wex
 
 impl Language for C {
     fn files(&self, recorded: &[Recorded]) -> Vec<File> {
-        let formulas: Vec<_> = recorded.iter().flat_map(|one| files_of(self, one)).collect();
+        let mut sources = vec![("jp_self_test.c".to_owned(), SELF_TEST.to_owned())];
+        sources.extend(recorded.iter().flat_map(|one| files_of(self, one)));
         let drivers = driver::files(recorded);
         let mut files = vec![
             ("jp_runtime.h".to_owned(), RUNTIME.to_owned()),
             ("jp_arrays.h".to_owned(), ARRAYS.to_owned()),
             ("jointproof.h".to_owned(), umbrella(recorded)),
-            ("Makefile".to_owned(), makefile(&formulas, &drivers)),
-            ("CMakeLists.txt".to_owned(), cmake(&formulas)),
+            ("Makefile".to_owned(), makefile(recorded, &sources, &drivers)),
+            ("CMakeLists.txt".to_owned(), cmake(recorded, &sources)),
+            ("jointproof.pc.in".to_owned(), PKG_CONFIG.replace("{version}", env!("CARGO_PKG_VERSION"))),
         ];
         files.extend(drivers);
-        files.extend(formulas);
+        files.extend(sources);
         files
     }
 
@@ -132,6 +138,10 @@ impl Syntax for C {
 
     fn element(&self, array: &str, k: usize, is_answer: bool) -> String {
         if is_answer { format!("({array}[{k}] != 0.0)") } else { format!("{array}[{k}]") }
+    }
+
+    fn as_number(&self, text: &str, is_answer: bool) -> String {
+        if is_answer { format!("(double){text}") } else { text.to_owned() }
     }
 
     fn call(&self, stem: &str, part: usize, inputs: &[&Field], given: &[String], found: (&str, usize)) -> String {
@@ -371,20 +381,8 @@ fn header(one: &Recorded) -> String {
 
 /// The header that includes all others.
 fn umbrella(recorded: &[Recorded]) -> String {
-    let mut text = Text::from(
-        "/*\n * Formulas with their Jacobians, printed by jointproof from the program that it proves.\n *\n\
-         \x20* ..._value gives the outputs; ..._jacobian, where it is in closed form, the outputs and\n\
-         \x20* every derivative, output by output, each over all inputs in order. A return code is 0, or says\n\
-         \x20* why inputs are refused, as each header tells; nothing is written then. A result that is too\n\
-         \x20* large for a double is infinite.\n *\n\
-         \x20* Compile without fused operations and without -ffast-math: -std=c99 -ffp-contract=off.\n */\n\
-         #ifndef JOINTPROOF_H\n#define JOINTPROOF_H\n\n",
-    );
-    for one in recorded {
-        text.push(format!("#include \"jp_{}.h\"\n", stem(one)));
-    }
-    text.push("\n#endif\n");
-    text.finished()
+    let includes: String = recorded.iter().map(|one| format!("#include \"jp_{}.h\"\n", stem(one))).collect();
+    include_str!("runtime/jointproof.h").replace("{includes}", &includes)
 }
 
 fn part_prototype(stem: &str, part: &PartLines) -> String {
@@ -416,31 +414,27 @@ fn sources(files: &[File]) -> impl Iterator<Item = &str> {
         .filter(|name| Path::new(name).extension().is_some_and(|extension| extension == "c"))
 }
 
-fn makefile(formulas: &[File], drivers: &[File]) -> String {
-    let objects = |files| sources(files).map(|name| name.replace(".c", ".o")).collect::<Vec<_>>().join(" \\\n    ");
-    format!(
-        "CC ?= cc\nCFLAGS ?= {}\nOBJECTS = {}\nDRIVER = {}\n\
-         SPEED = $(patsubst %.c,%.o,$(wildcard speed*.c))\n\n\
-         libjointproof.a: $(OBJECTS)\n\t$(AR) rcs $@ $(OBJECTS)\n\n\
-         driver: $(DRIVER) libjointproof.a\n\t$(CC) -o $@ $(DRIVER) libjointproof.a -lm\n\n\
-         speed: $(SPEED) $(OBJECTS)\n\t$(CC) $(CFLAGS) -o $@ $(SPEED) $(OBJECTS) -lm\n\n\
-         clean:\n\trm -f *.o libjointproof.a driver speed\n",
-        FLAGS.join(" "),
-        objects(formulas),
-        objects(drivers)
-    )
+/// The headers that callers include.
+fn headers(recorded: &[Recorded]) -> Vec<String> {
+    let own = ["jointproof.h", "jp_arrays.h"].map(str::to_owned);
+    own.into_iter().chain(recorded.iter().map(|one| format!("jp_{}.h", stem(one)))).collect()
 }
 
-fn cmake(formulas: &[File]) -> String {
-    let sources: Vec<_> = sources(formulas).collect();
-    format!(
-        "cmake_minimum_required(VERSION 3.10)\nproject(jointproof C)\nadd_library(jointproof\n    {})\n\
-         set_property(TARGET jointproof PROPERTY C_STANDARD 99)\n\
-         target_compile_options(jointproof PRIVATE -ffp-contract=off)\n\
-         target_include_directories(jointproof PUBLIC ${{CMAKE_CURRENT_SOURCE_DIR}})\n\
-         target_link_libraries(jointproof m)\n",
-        sources.join("\n    ")
-    )
+fn makefile(recorded: &[Recorded], library: &[File], drivers: &[File]) -> String {
+    let objects = |files| sources(files).map(|name| name.replace(".c", ".o")).collect::<Vec<_>>().join(" \\\n    ");
+    include_str!("runtime/Makefile")
+        .replace("{flags}", &FLAGS.join(" "))
+        .replace("{objects}", &objects(library))
+        .replace("{driver}", &objects(drivers))
+        .replace("{headers}", &headers(recorded).join(" \\\n    "))
+}
+
+fn cmake(recorded: &[Recorded], library: &[File]) -> String {
+    let sources: Vec<_> = sources(library).collect();
+    include_str!("runtime/CMakeLists.txt")
+        .replace("{version}", env!("CARGO_PKG_VERSION"))
+        .replace("{sources}", &sources.join("\n    "))
+        .replace("{headers}", &headers(recorded).join("\n    "))
 }
 
 fn toolchain(name: &'static str) -> Toolchain {

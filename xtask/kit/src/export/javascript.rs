@@ -3,7 +3,7 @@
 use super::c::{Names, common, exact_sum, signed};
 use super::language::{File, Language, Operand, Syntax, Toolchain, files_of};
 use super::program::{Body, Lines, PartLines, folded};
-use super::recorded::{Function, Recorded, Subject, Text, bounds, description, stem};
+use super::recorded::{Function, Output, Recorded, Subject, Text, bounds, description, refusals, stem};
 use jointproof::formula::Field;
 use jointproof::toolkit::graph::{Node, Op, Unary};
 
@@ -120,7 +120,8 @@ pub(super) fn source(one: &Recorded, limit: usize) -> (String, Vec<PartLines>) {
         parts.extend(more);
         functions.push((function(one, &body, &lines, &printed), lines.calls));
     }
-    let lines: Vec<_> = description(one).iter().map(|line| format!("// {line}").trim_end().to_owned()).collect();
+    let head = [description(one), vec!["refusal is 0, or the only result:".into()], refusals(one)].concat();
+    let lines: Vec<_> = head.iter().map(|line| format!("// {line}").trim_end().to_owned()).collect();
     let mut text = Text::from(lines.join("\n") + "\n");
     text.push(imports(&stem, functions.iter().flat_map(|(_, calls)| calls)));
     text.push(fields(one));
@@ -130,7 +131,7 @@ pub(super) fn source(one: &Recorded, limit: usize) -> (String, Vec<PartLines>) {
 
 fn imports<'a>(stem: &str, parts: impl Iterator<Item = &'a usize>) -> String {
     let parts = parts.map(|part| format!("import {{ part{part} }} from './jp_{stem}_part{part}.mjs';\n"));
-    "import {\n    angle, asin, exactSum, expm1, multiplyAdd, nearestInteger, nearestPlace, norm2, norm3, norm4,\n    powerOfTwo,\n} from './jp_runtime.mjs';\n"
+    "import {\n    angle, asin, exactSum, expm1, multiplyAdd, nearestInteger, nearestPlace, norm2, norm3, norm4,\n    powerOfTwo, refusalOf,\n} from './jp_runtime.mjs';\n"
         .to_owned()
         + &parts.collect::<String>()
 }
@@ -172,9 +173,13 @@ fn function(one: &Recorded, body: &Body, lines: &Lines, Function { name, outputs
         }
         Subject::Element(..) => outputs.iter().map(|output| listed(output.name, one.nodes(output))).collect(),
     };
-    let refusal = one.graph.refusal.map_or_else(|| "0".to_owned(), |node| body.text(lines, node));
+    let together = one.graph.refusal.map_or_else(String::new, |node| {
+        let code = body.text(lines, node);
+        format!("\n    if ({code} > 0) return {{ refusal: {} + {code} }};", one.inputs().len())
+    });
     format!(
-        "\nexport function {name}(i) {{\n{}\n    return {{ refusal: {refusal}, {} }};\n}}\n",
+        "\nexport function {name}(i) {{\n    const refused = refusalOf(inputs, i);\n    if (refused) return refused;\n{}{together}\n\
+         \x20   return {{ refusal: 0, {} }};\n}}\n",
         lines.text.join("\n"),
         lists.join(", "),
     )
@@ -195,9 +200,10 @@ fn index(recorded: &[Recorded]) -> String {
     let mut text = Text::from(
         "// Formulas with their Jacobians, and elements, printed by jointproof from the program that it\n\
          // proves. `value(i)` gives the outputs one after the other, `jacobian(i)` every derivative too,\n\
-         // output by output, each over all inputs in order; i has the inputs by name. An element gives\n\
-         // its outputs by their names, and `step(i)` its matrices too, row by row. `refused(formula, i)`\n\
-         // says why inputs are refused. A result that is too large for a number is infinite.\n\n\
+         // output by output, each over all inputs in order; i has the inputs by name. `step(i)` of an\n\
+         // element gives its outputs by their names, matrices row by row. Where inputs are refused,\n\
+         // `refusal` is not 0, and there is no other result; `refused(formula, i)` says why. A result\n\
+         // that is too large for a number is infinite.\n\n\
          export { refused } from './jp_runtime.mjs';\n",
     );
     for one in recorded {
@@ -207,20 +213,24 @@ fn index(recorded: &[Recorded]) -> String {
 }
 
 fn driver(recorded: &[Recorded]) -> String {
-    let formulas: Vec<_> = recorded.iter().map(|one| format!("jp.{}", stem(one))).collect();
+    let formula = |one: &Recorded| {
+        let numbers: usize = one.largest_function().outputs.iter().map(Output::len).sum();
+        format!("[jp.{}, {numbers}]", stem(one))
+    };
+    let formulas: Vec<_> = recorded.iter().map(formula).collect();
     format!(
-        "// Evaluates every formula at the points of points.bin, and writes found.bin.\n\
+        "// Evaluates every formula and every element at the points of points.bin, and writes found.bin.\n\
          import {{ readFileSync, writeFileSync }} from 'node:fs';\nimport * as jp from './jointproof.mjs';\n\n\
          const bytes = readFileSync('points.bin');\nconst points = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);\n\
          const found = [];\nlet at = 0;\nconst formulas = [\n    {},\n];\n\
-         for (const formula of formulas) {{\n    const count = Number(points.getBigUint64(at, true));\n    at += 8;\n\
+         for (const [formula, numbers] of formulas) {{\n    const count = Number(points.getBigUint64(at, true));\n    at += 8;\n\
          \x20   const next = () => points.getFloat64((at += 8) - 8, true);\n\
          \x20   for (let k = 0; k < count; ++k) {{\n        const i = {{}};\n\
          \x20       for (const {{ name, length }} of formula.inputs) {{\n\
          \x20           i[name] = length === 1 ? next() : Array.from({{ length }}, next);\n        }}\n\
-         \x20       const code = jp.refused(formula, i)?.position ?? 0;\n\
          \x20       const {{ refusal, ...results }} = (formula.step ?? formula.jacobian ?? formula.value)(i);\n\
-         \x20       found.push(code, ...Object.values(results).flat());\n    }}\n}}\n\
+         \x20       const all = Object.values(results).flat();\n\
+         \x20       found.push(refusal, ...(refusal > 0 ? Array(numbers).fill(0) : all));\n    }}\n}}\n\
          writeFileSync('found.bin', Buffer.from(new Float64Array(found).buffer));\n",
         formulas.join(",\n    ")
     )

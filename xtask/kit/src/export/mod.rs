@@ -1,5 +1,6 @@
 //! `export`: the verified program of a formula or an element in another language, with a check that it is the same.
 
+mod amalgam;
 mod c;
 mod check;
 mod element;
@@ -22,6 +23,7 @@ use crate::files;
 use crate::outcome::{Outcome, Usage, verdict};
 use crate::project::Project;
 use crate::selection::{self, Selection};
+pub(crate) use amalgam::{Download, downloads};
 use anyhow::ensure;
 use language::Language;
 use recorded::{Recorded, Subject, record};

@@ -3,7 +3,9 @@
 use super::c::{Names, common, signed};
 use super::language::{File, Language, Toolchain};
 use super::program::folded;
-use super::recorded::{Function, Recorded, Shape, Subject, Text, bounds, description, refusals, stem, unreserved};
+use super::recorded::{
+    Function, Recorded, Shape, Subject, Text, bounds, description, refusals, required, stem, unreserved,
+};
 use jointproof::connector::ujoint::Constraint;
 use jointproof::element::offset::Arm;
 use jointproof::element::{cross, line};
@@ -12,7 +14,7 @@ use jointproof::toolkit::graph::{Node, Op, Unary};
 
 pub(super) struct NumPy;
 
-const RUNTIME: &str = include_str!("runtime/jp_runtime.py");
+pub(super) const RUNTIME: &str = include_str!("runtime/jp_runtime.py");
 const DRIVER: &str = include_str!("runtime/driver.py");
 /// User functions for Exudyn, and the formulas they call.
 const EXUDYN: &str = include_str!("runtime/exudyn_ujoint.py");
@@ -67,7 +69,7 @@ fn index(recorded: &[Recorded]) -> String {
          `jacobian(f1, e1a, ...)` of each module gives the components of the value, an array of shape (m, ...), and the\n\
          Jacobian, of shape (m, n, ...), for inputs that broadcast against each other; a vector has its components along\n\
          its first axis. `step(...)` of an element gives its outputs and matrices, of shapes (m, ...) and (m, n, ...), in the\n\
-         order in which its module tells them. `refused(...)` gives 0, or why inputs are refused.\n\"\"\"\n\n",
+         order in which its module tells them. They raise ValueError where inputs are refused; `refused(...)` gives 0, or why inputs are refused.\n\"\"\"\n\n",
     );
     for one in recorded {
         text.push(format!("import jp_{0} as {0}\n", stem(one)));
@@ -84,12 +86,12 @@ fn name_of(field: &Field) -> String {
     unreserved(field.name, &RESERVED)
 }
 
-fn source(one: &Recorded) -> String {
+pub(super) fn source(one: &Recorded) -> String {
     let mut text = Text::from(format!("r\"\"\"{}\n\n0 is returned by refused(...), or\n", description(one).join("\n")));
     text.push_all(refusals(one).iter().map(|line| format!("{line}\n")));
     text.push(
-        "\"\"\"\n\nimport numpy as np\n\nfrom jp_runtime import (\n    angle, arrays, asin, code, exact_sum, expm1, multiply_add, nearest_integer, nearest_place, \
-         norm2, norm3,\n    norm4, over_arrays, power_of_two, stacked,\n)\n\n",
+        "\"\"\"\n\nimport numpy as np\n\nfrom jp_runtime import (\n    accepted, angle, arrays, asin, code, exact_sum, expm1, multiply_add, nearest_integer, nearest_place, \
+         norm2,\n    norm3, norm4, over_arrays, power_of_two, stacked,\n)\n\n",
     );
     let functions = one.functions();
     let inputs: Vec<_> = one.inputs().iter().map(|field| (field.name, field.len())).collect();
@@ -98,6 +100,8 @@ fn source(one: &Recorded) -> String {
         let lines: Vec<_> = all.iter().map(|(name, len)| format!("    ('{name}', {len}),\n")).collect();
         text.push(format!("{name} = [\n{}]\n", lines.concat()));
     }
+    let texts = required(one).into_iter().map(|text| format!("    {text:?},\n")).collect::<String>();
+    text.push(format!("REQUIRED = [\n{texts}]\n"));
     text.push_all(functions.iter().map(|printed| function(one, printed)));
     text.push(refused(one));
     text.finished()
@@ -125,7 +129,9 @@ fn function(one: &Recorded, function: &Function) -> String {
     });
     let stacked: Vec<_> = stacked.collect();
     let all: Vec<Node> = lists.iter().flat_map(|(nodes, _)| *nodes).copied().collect();
-    format!("{}{}{}\n", head(name, &inputs), lines(one, &all), short(&format!("    return ({})", stacked.join(", "))))
+    let accepted = short(&format!("    accepted(refused({}), given, REQUIRED)", inputs.join(", ")));
+    let returned = short(&format!("    return ({})", stacked.join(", ")));
+    format!("{}{accepted}\n{}{returned}\n", head(name, &inputs), lines(one, &all))
 }
 
 /// The head of a function whose inputs are lists of components.

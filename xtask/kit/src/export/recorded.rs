@@ -223,10 +223,14 @@ impl Recorded {
 
 /// The meanings of the return codes that reject inputs, one line each.
 pub(super) fn refusals(one: &Recorded) -> Vec<String> {
-    let alone = one.inputs().iter().map(|field| format!("{}: {}", field.name, field.quantity.domain.allowed()));
-    let together = one.graph.refusals.iter().map(Error::required);
-    let lines = alone.chain(together).enumerate();
+    let lines = required(one).into_iter().enumerate();
     lines.flat_map(|(k, what)| wrapped(&format!("{} unless {what}", k + 1))).collect()
+}
+
+/// What is required, by the return codes that reject inputs.
+pub(super) fn required(one: &Recorded) -> Vec<String> {
+    let alone = one.inputs().iter().map(|field| format!("{}: {}", field.name, field.quantity.domain.allowed()));
+    alone.chain(one.graph.refusals.iter().map(Error::required)).collect()
 }
 
 /// The name of a formula or an element in the names of functions and files.

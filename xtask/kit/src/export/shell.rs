@@ -61,8 +61,7 @@ pub(super) fn write(
     // No module of another file has the same name.
     let runtime = format!("jp_runtime_{name}");
     let modules: Vec<_> = in_order([vec![RUNTIME.to_owned()], modules].concat());
-    let code = [modules.join("\n"), "\n".into(), text.replace("{runtime}", "jp_runtime")].concat();
-    let code = code.replace("jp_runtime", &runtime);
+    let code = [modules.join("\n"), "\n".into(), text].concat().replace("jp_runtime", &runtime);
     let (extension, text) = if is_fixed {
         ("f", fixed::form(&[head, "\n".into(), code].concat()))
     } else {
@@ -262,7 +261,7 @@ impl Places {
 }
 
 /// Sorts modules such that each comes after those it uses.
-fn in_order(mut modules: Vec<String>) -> Vec<String> {
+pub(super) fn in_order(mut modules: Vec<String>) -> Vec<String> {
     let mut found: Vec<String> = Vec::new();
     while !modules.is_empty() {
         let missing: Vec<_> = modules.iter().map(|module| format!("    use {}", name(module))).collect();

@@ -11,7 +11,7 @@
 subroutine fric(lm, tau, ddtddg, ddtddp, dslip, sed, sfd, ddtddt, pnewdt, statev, dgam, taulm, press, dpress, ddpddh, &
         slip, kstep, kinc, time, dtime, noel, ciname, slname, msname, npt, node, npatch, coords, rcoord, drot, temp, &
         predef, nfdir, mcrd, npred, nstatv, chrlngth, props, nprops)
-{uses}    use {runtime}, only: dp
+{uses}    use jp_runtime, only: dp
     include 'ABA_PARAM.INC'
     integer, intent(in) :: kstep, kinc, noel, npt, node, npatch, nfdir, mcrd, npred, nstatv, nprops
     character(len=80), intent(in) :: ciname, slname, msname

@@ -10,7 +10,7 @@
 !
 ! Put together from formulas that jointproof proves; free of conditions (CC0-1.0). Compile with -ffp-contract=off.
 subroutine mpc(ue, a, jdof, mdof, n, jtype, x, u, uinit, maxdof, lmpc, kstep, kinc, time, nt, nf, temp, field, ltran, tran)
-{uses}    use {runtime}, only: dp
+{uses}    use jp_runtime, only: dp
     include 'ABA_PARAM.INC'
     integer, intent(in) :: mdof, n, jtype, maxdof, kstep, kinc, nt, nf, ltran(n)
     integer, intent(inout) :: jdof(n), lmpc

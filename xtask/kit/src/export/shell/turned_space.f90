@@ -5,7 +5,8 @@
         real(dp) :: turned(3, 3), angle, sine, versine, across(3)
         integer :: k
         turned = reshape(axes, [3, 3])
-        angle = sqrt(rotation(1) * rotation(1) + rotation(2) * rotation(2) + rotation(3) * rotation(3))
+        angle = sqrt(rotation(1) * rotation(1) + rotation(2) * rotation(2) &
+            + rotation(3) * rotation(3))
         if (angle <= 0) return
         sine = sin(angle) / angle
         versine = 2 * (sin(angle / 2) / angle)**2

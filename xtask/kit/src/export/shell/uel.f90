@@ -1,5 +1,5 @@
 module jp_uel_{id}
-    use {runtime}, only: dp
+    use jp_runtime, only: dp
     use jp_element_{id}_smooth
     {use_rubbing}
     implicit none
@@ -15,6 +15,9 @@ contains
         logical :: is_well
         integer :: code
 
+        if (.not. keeps_order()) then
+            error stop 'UEL: compile with -fp-model precise'
+        end if
         rhs(:all_motions, 1) = 0
         amatrx(:all_motions, :all_motions) = 0
         ! Residual and stiffness, stiffness alone, residual alone; no mass and no damping.
@@ -35,4 +38,16 @@ contains
         amatrx(:motions, :motions) = -stiffness
         {matrices}
     end subroutine uel_{id}
+
+    ! Whether the compiler keeps the order of operations: Intel's default reorders sums.
+    function keeps_order()
+        logical :: keeps_order
+        real(dp), volatile :: large, beside
+        real(dp) :: a, b
+        large = 2.0_dp**53
+        beside = 1 + 2.0_dp**(-30)
+        a = large
+        b = beside
+        keeps_order = abs((a + 1) - a) <= 0 .and. abs(b * b - (1 + 2.0_dp**(-29))) <= 0
+    end function keeps_order
 {functions}end module jp_uel_{id}
