@@ -80,7 +80,7 @@ fn exported_elements_compile_without_a_warning() {
     let bench = Bench::new();
     let out = bench.path("");
     std::fs::write(bench.path("ABA_PARAM.INC"), "      implicit double precision (a-h, o-z)\n").unwrap();
-    let mut export = |arguments: &[&str]| {
+    let export = |arguments: &[&str]| {
         bench.run(&[&["export", "--out", out.to_str().unwrap(), "--shell"], arguments].concat()).exits(0);
     };
     let elements: Vec<_> = elements().collect();

@@ -1,7 +1,7 @@
 //! Each formula and each element in one file that needs no other: what the book has to download.
 
 use super::c::{self, C};
-use super::fortran::{self, Fortran};
+use super::fortran;
 use super::javascript::{self, JavaScript};
 use super::language::{File, files_of};
 use super::numpy;
@@ -108,6 +108,7 @@ fn joined(texts: impl IntoIterator<Item = String>) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::export::language::Language;
     use crate::export::recorded::{element_of, formulas};
     use crate::files;
     use std::process::Command;
@@ -142,6 +143,55 @@ mod tests {
         let names: Vec<_> =
             all.iter().flat_map(of).map(|download| format!("{} {}", download.label, download.name)).collect();
         assert!(names.contains(&"NumPy with friction jp_element_slot_2d_rubbing.py".to_owned()), "{names:?}");
+    }
+
+    /// Arithmetic that is not kept is told: by the compiler that says so, and by the test of the library.
+    #[test]
+    fn fast_arithmetic_is_refused() {
+        if Command::new("gcc").arg("--version").output().is_err() {
+            return;
+        }
+        let folder = tempfile::tempdir().unwrap();
+        for (name, text) in C.files(&formulas(&["coulomb.yield"])) {
+            files::write(&folder.path().join(name), &text).unwrap();
+        }
+        let main = "#include \"jointproof.h\"\nint main(void) { return jp_self_test(); }\n";
+        files::write(&folder.path().join("main.c"), main).unwrap();
+        let build = |flags: &str| {
+            let arguments = flags.split(' ').chain(["-O2", "main.c", "jp_self_test.c", "-lm", "-o", "main"]);
+            Command::new("gcc").args(arguments).current_dir(folder.path()).output().unwrap()
+        };
+        let run = || Command::new(folder.path().join("main")).status().unwrap().code();
+        let output = build("-ffast-math");
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert!(!output.status.success() && said.contains("-ffast-math changes the results"), "{said}");
+        assert!(build("-std=c99 -ffp-contract=off").status.success());
+        assert_eq!(run(), Some(0));
+        // The options of -ffast-math that reorder sums, without its macro.
+        assert!(build("-fassociative-math -fno-signed-zeros -fno-trapping-math").status.success());
+        assert_eq!(run(), Some(1));
+    }
+
+    #[test]
+    fn numpy_refuses_what_c_refuses() {
+        let has_numpy = Command::new("python3").args(["-c", "import numpy"]).output();
+        if !has_numpy.is_ok_and(|output| output.status.success()) {
+            return;
+        }
+        let folder = tempfile::tempdir().unwrap();
+        for download in of(&formulas(&["coulomb.return_map"])[0]) {
+            files::write(&folder.path().join(download.name), &download.text).unwrap();
+        }
+        let said = |call: &str| {
+            let program = format!("import jp_coulomb_return_map as jp; print(jp.{call})");
+            let output = Command::new("python3").args(["-c", &program]).current_dir(folder.path()).output().unwrap();
+            String::from_utf8_lossy(&[output.stdout, output.stderr].concat()).into_owned()
+        };
+        assert!(said("value(3.0, 0.5, 4.0)").contains("[2.]"), "{}", said("value(3.0, 0.5, 4.0)"));
+        for function in ["value", "jacobian"] {
+            let said = said(&format!("{function}(3.0, [0.5, -1.0], 4.0)"));
+            assert!(said.contains("ValueError: required is mu: ") && said.contains("which is -1.0 at (1,)"), "{said}");
+        }
     }
 
     #[test]

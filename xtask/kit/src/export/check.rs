@@ -221,7 +221,7 @@ mod tests {
     use super::super::javascript::JavaScript;
     use super::super::numpy::NumPy;
     use super::super::points;
-    use super::super::recorded::formulas;
+    use super::super::recorded::{element_of, formulas};
     use super::*;
     use crate::files;
     use jointproof::catalog::find;
@@ -369,6 +369,27 @@ mod tests {
         assert_eq!(line[..4], ["n[0]", "n[1]", "n[2]", "l"]);
         assert_eq!(line[4..6], ["∂n[0]/∂x1[0]", "∂n[0]/∂x1[1]"]);
         assert_eq!(line[9..11], ["∂n[0]/∂xn[2]", "∂n[1]/∂x1[0]"]);
+    }
+
+    #[test]
+    fn an_entry_of_a_matrix_of_an_element_is_named() {
+        let recorded = element_of("slot_2d");
+        let points = points::all(&recorded, 5);
+        let folder = tempfile::tempdir().unwrap();
+        let files = |from: &str, to: &str| {
+            for (name, text) in C.files(&recorded) {
+                let text = if name == "jp_element_slot_2d_rubbing.c" { text.replace(from, to) } else { text };
+                files::write(&folder.path().join(name), &text).unwrap();
+            }
+            all(&C, folder.path(), &recorded, &points).unwrap().remove(0)
+        };
+        let right = files("", "");
+        assert!(right.is_well() && right.refused > 0, "{right}");
+        let wrong = files("stiffness[1] = ", "stiffness[1] = 1.0 + ").to_string();
+        assert!(
+            wrong.contains("element slot_2d with friction at ") && wrong.contains(": stiffness[0, 1]: "),
+            "{wrong}"
+        );
     }
 
     #[test]
