@@ -2,10 +2,12 @@
 
 use super::formulas::{count, expect};
 use crate::Error;
-use crate::formula::proof::{self, ProvedElement, Step};
+use crate::formula::proof::{self, Case, ProvedElement, Step};
 use crate::formula::{Field, Spec};
 use crate::toolkit::graph::{Extremes, Graph, NotRecorded, record_element};
-use crate::toolkit::verify::{ElementAudit, ElementFile, ElementSubject, Layout, Options, audit_element, golden_of};
+use crate::toolkit::verify::{
+    ElementAudit, ElementFile, ElementSubject, Layout, Options, Subject, audit_element, golden, golden_of,
+};
 
 /// An element whose types of nodes, parameters and state are erased; every [`ProvedElement`] is one by [`Erased`].
 pub trait AnyElement: Send + Sync {
@@ -19,6 +21,8 @@ pub trait AnyElement: Send + Sync {
     fn golden(&self) -> ElementFile;
     /// Its audit, executed anew.
     fn audit(&self, options: &Options) -> ElementAudit;
+    /// Its cases without or with friction: its own, every kind of invalid input, and this many random ones.
+    fn cases(&self, rubs: bool, random: usize) -> Vec<Case<Vec<f64>>>;
     /// Its graph, whose results are those of [`value`](Self::value).
     ///
     /// # Errors
@@ -51,6 +55,10 @@ impl<E: ProvedElement<M, DOFS>, const M: usize, const DOFS: usize> AnyElement fo
     }
     fn audit(&self, options: &Options) -> ElementAudit {
         audit_element::<E, M, DOFS>(options)
+    }
+    fn cases(&self, rubs: bool, random: usize) -> Vec<Case<Vec<f64>>> {
+        let of = if rubs { Subject::of_element::<E, M, DOFS, true> } else { Subject::of_element::<E, M, DOFS, false> };
+        golden::cases_drawn(&of(), random)
     }
     fn graph(&self, rubs: bool, extremes: Extremes) -> Result<Graph, NotRecorded> {
         record_element::<E, M, DOFS>(rubs, extremes)

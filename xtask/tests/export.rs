@@ -101,8 +101,16 @@ fn every_file_is_as_it_was_accepted() {
     const FORMULAS: &str = "{coulomb.return_map,interaction.pressure_exponential,universal.angles,slide_line.closest_parabolic,\
                             slider.geometric_stiffness,slot.friction}";
     let of = ["c", "fortran", "js", "numpy", "fpcore"].map(|lang| (lang, vec!["--lang", lang, "--filter", FORMULAS]));
-    let shells = ["uel-slot", "uel-translator", "uel-ujoint", "uel-hinge", "fric", "mpc"]
-        .map(|shell| (shell, vec!["--shell", shell]));
+    let shells = [
+        ("element in c", vec!["--lang", "c", "--element", "slot_2d"]),
+        ("element in fortran", vec!["--lang", "fortran", "--element", "slot_2d"]),
+        ("element in js", vec!["--lang", "js", "--element", "slot_2d"]),
+        ("element in numpy", vec!["--lang", "numpy", "--element", "slot_2d"]),
+        ("uel", vec!["--shell", "uel", "--element", "slot"]),
+        ("uels in fixed form", vec!["--shell", "uel", "--element", "universal", "--element", "slider_2d", "--fixed"]),
+        ("fric", vec!["--shell", "fric"]),
+        ("mpc", vec!["--shell", "mpc", "--fixed"]),
+    ];
     let mut texts = Vec::new();
     for (name, wanted) in of.into_iter().chain(shells) {
         let bench = Bench::new();

@@ -1,4 +1,4 @@
-//! `cargo xtask export --shell`: elements as called by Abaqus, compared with the same elements in Rust.
+//! `cargo xtask export --shell uel`: elements as called by Abaqus, compared with the same elements in Rust.
 //!
 //! A Fortran driver calls the routine with the arguments of its interface, at points received through a pipe as bits,
 //! and returns the results as bits.
@@ -97,6 +97,9 @@ struct Point {
     u: Vec<f64>,
 }
 
+/// What every routine of Abaqus includes, in words of the standard.
+const STANDARD_ABA_PARAM: &str = "      implicit double precision (a-h, o-z)\n";
+
 /// The compiler of the shells; without it there is nothing to compare.
 const COMPILER: &str = "gfortran";
 
@@ -110,16 +113,17 @@ struct Peer {
 }
 
 impl Peer {
-    /// Exports a shell, compiles it without a warning, and starts its driver.
-    fn new(shell: &str, sizes: [usize; 3]) -> Self {
+    /// Exports an element, compiles it without a warning, and starts its driver.
+    fn new(element: &str, sizes: [usize; 3]) -> Self {
         let bench = Bench::new();
         let out = bench.path("");
-        bench.run(&["export", "--shell", shell, "--out", out.to_str().unwrap()]).exits(0);
+        bench.run(&["export", "--shell", "uel", "--element", element, "--out", out.to_str().unwrap()]).exits(0);
+        std::fs::write(bench.path("ABA_PARAM.INC"), STANDARD_ABA_PARAM).unwrap();
         let [multipliers, states, properties] = sizes.map(|size| size.to_string());
         let driver = DRIVER.replace("MULTIPLIERS", &multipliers).replace("STATES", &states);
         std::fs::write(bench.path("driver.f90"), driver.replace("PROPERTIES", &properties)).unwrap();
         let flags = "-std=f2008 -O1 -ffp-contract=off -Wall -Wextra -pedantic -Wno-unused-dummy-argument -Werror";
-        let file = format!("{}.f90", shell.replace('-', "_"));
+        let file = format!("uel_{element}.f90");
         let mut compiler = Command::new(COMPILER);
         compiler.args(flags.split(' ')).args([file.as_str(), "driver.f90", "-o", "driver"]).current_dir(&out);
         let output = compiler.output().unwrap();
@@ -232,7 +236,7 @@ fn axes(turn: &Rotation3<f64>) -> [Vector3<f64>; 3] {
 
 /// Evaluates both at points that stick and slip: every bit agrees, whatever is requested.
 fn compare<E: Element<N, Nodes<f64> = Nodes<f64>>, const N: usize>(
-    shell: &str,
+    element: &str,
     props: impl Fn(&mut Numbers) -> Vec<f64>,
 ) {
     if !is_here(COMPILER) {
@@ -241,7 +245,7 @@ fn compare<E: Element<N, Nodes<f64> = Nodes<f64>>, const N: usize>(
     let mut numbers = Numbers(7);
     let first = props(&mut numbers);
     let states = E::State::<f64>::LEN;
-    let mut peer = Peer::new(shell, [N, states, 18 + first.len()]);
+    let mut peer = Peer::new(element, [N, states, 18 + first.len()]);
     for _ in 0..200 {
         let point = Point {
             props: props(&mut numbers),
@@ -279,7 +283,7 @@ fn stiffness(numbers: &mut Numbers) -> f64 {
 
 #[test]
 fn slot_has_every_bit_of_rust() {
-    compare::<SlotElement, 2>("uel-slot", |numbers| {
+    compare::<SlotElement, 2>("slot", |numbers| {
         let start = numbers.some(3);
         [start, vec![stiffness(numbers), numbers.next(), numbers.next().abs()]].concat()
     });
@@ -287,7 +291,7 @@ fn slot_has_every_bit_of_rust() {
 
 #[test]
 fn translator_has_every_bit_of_rust() {
-    compare::<TranslatorElement, 5>("uel-translator", |numbers| {
+    compare::<TranslatorElement, 5>("translator", |numbers| {
         let start = numbers.some(6);
         let k_stick = stiffness(numbers);
         let positive: Vec<_> = numbers.some(2).iter().map(|x| x.abs()).collect();
@@ -297,7 +301,7 @@ fn translator_has_every_bit_of_rust() {
 
 #[test]
 fn ujoint_has_every_bit_of_rust() {
-    compare::<UJointElement, 4>("uel-ujoint", |numbers| {
+    compare::<UJointElement, 4>("ujoint", |numbers| {
         let start = numbers.some(6);
         let (k_stick1, k_stick3) = (stiffness(numbers), 10_f64.powf(2.0 * numbers.next()));
         let cross: Vec<_> = numbers.some(4).iter().map(|x| x.abs()).collect();
@@ -307,7 +311,7 @@ fn ujoint_has_every_bit_of_rust() {
 
 #[test]
 fn hinge_has_every_bit_of_rust() {
-    compare::<HingeElement, 5>("uel-hinge", |numbers| {
+    compare::<HingeElement, 5>("hinge", |numbers| {
         let start = numbers.some(6);
         let positive: Vec<_> = numbers.some(3).iter().map(|x| x.abs()).collect();
         [start, vec![stiffness(numbers)], positive, vec![numbers.next(), numbers.next().abs()]].concat()
@@ -384,7 +388,7 @@ fn newton_converges_through_the_interface_as_in_rust() {
         coords: [Vector3::zeros(), Vector3::new(0.5, 0.25, 0.0)],
         u: vec![0.0; 12 + multipliers],
     };
-    let mut peers = [Peer::new("uel-translator", [5, 2, 29]), Peer::new("uel-ujoint", [4, 4, 33])];
+    let mut peers = [Peer::new("translator", [5, 2, 29]), Peer::new("ujoint", [4, 4, 33])];
     // Without friction, sticking, slipping.
     for (k_stick, mu, fit, slips) in [(0.0, 0.25, 0.0, false), (20.0, 0.25, 100.0, false), (1e3, 0.02, 0.0, true)] {
         let at_start = [0.5, 0.25, 0.0, 0.0, 0.0, 0.0, k_stick];

@@ -79,6 +79,14 @@ pub(super) fn cases_with(subject: &Subject, random: usize, valid: Option<&[f64]>
     cases
 }
 
+/// The same with random cases as they are drawn, which takes little time for any number of them.
+pub(crate) fn cases_drawn(subject: &Subject, random: usize) -> Vec<Case<Vec<f64>>> {
+    let mut sampler = Sampler::for_formula(subject.spec.id, SEED);
+    let drawn = (0..random).map(|k| Case::new(Flag::Random, format!("random {k}"), "", sampler.components(subject)));
+    let drawn: Vec<_> = drawn.collect();
+    [cases_with(subject, 0, None), drawn].concat()
+}
+
 /// Every input in turn not finite, and outside its domain.
 fn out_of_domain(subject: &Subject, valid: &[f64]) -> Vec<Case<Vec<f64>>> {
     let mut invalid = Vec::new();

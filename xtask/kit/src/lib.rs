@@ -43,6 +43,7 @@ mod sample;
 mod selection;
 mod since;
 pub mod sources;
+mod uel;
 mod verify;
 
 pub use book::{Fault, listing_page, uncovered};

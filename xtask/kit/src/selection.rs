@@ -9,6 +9,13 @@ pub(crate) type Formulas = Vec<&'static dyn AnyFormula>;
 /// Some elements of a catalog.
 pub(crate) type Elements = Vec<&'static dyn AnyElement>;
 
+/// The element of an identifier.
+pub(crate) fn element(project: &Project, id: &str) -> Result<&'static dyn AnyElement, Usage> {
+    let ids = || project.elements().iter().map(|element| element.spec().id).collect::<Vec<_>>().join(", ");
+    let element = project.elements().iter().find(|element| element.spec().id == id);
+    element.copied().ok_or_else(|| Usage(format!("--element '{id}' is no element, but there are {}", ids())))
+}
+
 /// `--filter`
 #[derive(clap::Args)]
 pub(crate) struct Selection {

@@ -4,7 +4,7 @@ subroutine mpc(ue, a, jdof, mdof, n, jtype, x, u, uinit, maxdof, lmpc, kstep, ki
     integer, parameter :: dp = kind(1.0d0)
     integer :: mdof, n, jdof(*), jtype, maxdof, lmpc, kstep, kinc, nt, nf, ltran(*)
     real(dp) :: ue(*), a(*), x(6, *), u(6, *), uinit(6, *), time(2), temp(*), field(*), tran(3, 3, *)
-    real(dp) :: x1(3), xn(3), d(3), y(2), slope(7, 2), kept
+    real(dp) :: x1(3), xn(3), d(3), y(2), slope(2, 7), kept
     integer :: axes(3), p, q, e, k, code
     ! begin
     x1 = x(1:3, 3) + u(1:3, 3)
@@ -27,8 +27,8 @@ subroutine mpc(ue, a, jdof, mdof, n, jtype, x, u, uinit, maxdof, lmpc, kstep, ki
     jdof(3:5) = [1, 2, 3]
     jdof(6:8) = [1, 2, 3]
     a(1) = 1
-    a(2) = -slope(7, jtype)
-    a(3:5) = -slope(1:3, jtype)
-    a(6:8) = -slope(4:6, jtype)
+    a(2) = -slope(jtype, 7)
+    a(3:5) = -slope(jtype, 1:3)
+    a(6:8) = -slope(jtype, 4:6)
     ! end
 end subroutine mpc

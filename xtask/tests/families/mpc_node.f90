@@ -4,7 +4,7 @@ subroutine mpc(ue, a, jdof, mdof, n, jtype, x, u, uinit, maxdof, lmpc, kstep, ki
     integer, parameter :: dp = kind(1.0d0)
     integer :: mdof, n, jdof(6, *), jtype, maxdof, lmpc, kstep, kinc, nt, nf, ltran(*)
     real(dp) :: ue(*), a(6, 6, *), x(6, *), u(6, *), uinit(6, *), time(2), temp(*), field(*), tran(3, 3, *)
-    real(dp) :: x1(3), xn(3), d(3), y(2), slope(7, 2), kept
+    real(dp) :: x1(3), xn(3), d(3), y(2), slope(2, 7), kept
     integer :: p, q, i, j, k, code
     ! begin
     x1 = x(1:3, 3) + u(1:3, 3)
@@ -31,11 +31,11 @@ subroutine mpc(ue, a, jdof, mdof, n, jtype, x, u, uinit, maxdof, lmpc, kstep, ki
     jdof(1:3, 4) = [1, 2, 3]
     a(1, 1, 1) = 1
     a(2, 2, 1) = 1
-    a(1, 1, 2) = -slope(7, 1)
-    a(2, 1, 2) = -slope(7, 2)
-    a(1, 1:3, 3) = -slope(1:3, 1)
-    a(2, 1:3, 3) = -slope(1:3, 2)
-    a(1, 1:3, 4) = -slope(4:6, 1)
-    a(2, 1:3, 4) = -slope(4:6, 2)
+    a(1, 1, 2) = -slope(1, 7)
+    a(2, 1, 2) = -slope(2, 7)
+    a(1, 1:3, 3) = -slope(1, 1:3)
+    a(2, 1:3, 3) = -slope(2, 1:3)
+    a(1, 1:3, 4) = -slope(1, 4:6)
+    a(2, 1:3, 4) = -slope(2, 4:6)
     ! end
 end subroutine mpc

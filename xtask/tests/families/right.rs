@@ -253,14 +253,14 @@ const MPC: &[Variant] = &[
         "coefficients scaled",
         &[
             ("a(1) = 1", "a(1) = 4"),
-            ("-slope(7, jtype)", "-4 * slope(7, jtype)"),
-            ("-slope(1:3, jtype)", "-4 * slope(1:3, jtype)"),
-            ("-slope(4:6, jtype)", "-4 * slope(4:6, jtype)"),
+            ("-slope(jtype, 7)", "-4 * slope(jtype, 7)"),
+            ("-slope(jtype, 1:3)", "-4 * slope(jtype, 1:3)"),
+            ("-slope(jtype, 4:6)", "-4 * slope(jtype, 4:6)"),
         ],
     ),
     (
         "terms of a node in another order",
-        &[("jdof(3:5) = [1, 2, 3]", "jdof(3:5) = [3, 2, 1]"), ("-slope(1:3, jtype)", "-slope(3:1:-1, jtype)")],
+        &[("jdof(3:5) = [1, 2, 3]", "jdof(3:5) = [3, 2, 1]"), ("-slope(jtype, 1:3)", "-slope(jtype, 3:1:-1)")],
     ),
     (
         "positions of another term of the same node",
@@ -304,12 +304,12 @@ const MPC_NODE: &[Variant] = &[
             ("ue(2) = y(2) - x(j, 1)", "ue(1) = y(2) - x(j, 1)"),
             ("jdof(1, 1) = i", "jdof(2, 1) = i"),
             ("jdof(2, 1) = j", "jdof(1, 1) = j"),
-            ("a(1, 1, 2) = -slope(7, 1)", "a(2, 1, 2) = -slope(7, 1)"),
-            ("a(2, 1, 2) = -slope(7, 2)", "a(1, 1, 2) = -slope(7, 2)"),
-            ("a(1, 1:3, 3) = -slope(1:3, 1)", "a(2, 1:3, 3) = -slope(1:3, 1)"),
-            ("a(2, 1:3, 3) = -slope(1:3, 2)", "a(1, 1:3, 3) = -slope(1:3, 2)"),
-            ("a(1, 1:3, 4) = -slope(4:6, 1)", "a(2, 1:3, 4) = -slope(4:6, 1)"),
-            ("a(2, 1:3, 4) = -slope(4:6, 2)", "a(1, 1:3, 4) = -slope(4:6, 2)"),
+            ("a(1, 1, 2) = -slope(1, 7)", "a(2, 1, 2) = -slope(1, 7)"),
+            ("a(2, 1, 2) = -slope(2, 7)", "a(1, 1, 2) = -slope(2, 7)"),
+            ("a(1, 1:3, 3) = -slope(1, 1:3)", "a(2, 1:3, 3) = -slope(1, 1:3)"),
+            ("a(2, 1:3, 3) = -slope(2, 1:3)", "a(1, 1:3, 3) = -slope(2, 1:3)"),
+            ("a(1, 1:3, 4) = -slope(1, 4:6)", "a(2, 1:3, 4) = -slope(1, 4:6)"),
+            ("a(2, 1:3, 4) = -slope(2, 4:6)", "a(1, 1:3, 4) = -slope(2, 4:6)"),
         ],
     ),
     (
@@ -334,8 +334,8 @@ const MPC_NODE: &[Variant] = &[
         "degrees of freedom of node 1 in another order",
         &[
             ("jdof(1:3, 3) = [1, 2, 3]", "jdof(1:3, 3) = [3, 2, 1]"),
-            ("-slope(1:3, 1)", "-slope(3:1:-1, 1)"),
-            ("-slope(1:3, 2)", "-slope(3:1:-1, 2)"),
+            ("-slope(1, 1:3)", "-slope(1, 3:1:-1)"),
+            ("-slope(2, 1:3)", "-slope(2, 3:1:-1)"),
         ],
     ),
     (
@@ -443,8 +443,8 @@ const UEL: &[Variant] = &[
     (
         "loops",
         &[(
-            "amatrx(10, 1:9) = -of_g(:, 1)",
-            "do code = 1, 9\n            amatrx(10, code) = -of_g(code, 1)\n        end do",
+            "amatrx(10, 1:9) = -of_g(1, :)",
+            "do code = 1, 9\n            amatrx(10, code) = -of_g(1, code)\n        end do",
         )],
     ),
     ("its own copy of LFLAGS(3)", &[("    x1 = ", "    code = lflags(3)\n    x1 = ")]),

@@ -9,7 +9,7 @@ subroutine uel(rhs, amatrx, svars, energy, ndofel, nrhs, nsvars, props, nprops, 
     integer :: njprop, jdltyp(1, *), lflags(*), jprops(*)
     real(dp) :: rhs(*), amatrx(11, 11), svars(*), energy(8), props(*), coords(3, *), u(11), du(*), v(11), a(11), time(2), dtime
     real(dp) :: params(3), adlmag(1, *), ddlmag(1, *), predef(2, 1, *), pnewdt, period
-    real(dp) :: x1(3), xn(3), xm(3), first, second, g(2), of_g(9, 2), f(9), of_f(11, 9)
+    real(dp) :: x1(3), xn(3), xm(3), first, second, g(2), of_g(2, 9), f(9), of_f(9, 11)
     integer :: code
     ! begin
     x1 = coords(:, 1) + u(1:3)
@@ -26,11 +26,11 @@ subroutine uel(rhs, amatrx, svars, energy, ndofel, nrhs, nsvars, props, nprops, 
         rhs(10:11) = g
     end if
     if (lflags(3) == 1 .or. lflags(3) == 2) then
-        amatrx(1:3, :) = -transpose(of_f(:, 1:3))
-        amatrx(4:6, :) = -transpose(of_f(:, 4:6))
-        amatrx(7:9, :) = -transpose(of_f(:, 7:9))
-        amatrx(10, 1:9) = -of_g(:, 1)
-        amatrx(11, 1:9) = -of_g(:, 2)
+        amatrx(1:3, :) = -of_f(1:3, :)
+        amatrx(4:6, :) = -of_f(4:6, :)
+        amatrx(7:9, :) = -of_f(7:9, :)
+        amatrx(10, 1:9) = -of_g(1, :)
+        amatrx(11, 1:9) = -of_g(2, :)
         amatrx(10:11, 10:11) = 0
     end if
     ! end

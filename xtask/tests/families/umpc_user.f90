@@ -4,7 +4,7 @@ subroutine umpc_user(x, u, f, a, jdof, n, force, iit, idiscon)
     integer, parameter :: dp = kind(1.0d0)
     integer :: n, jdof(*), iit, idiscon
     real(dp) :: x(3, *), u(3, *), f, a(*), force
-    real(dp) :: x1(3), xn(3), xm(3), g(2), slope(9, 2), row(9), swapped
+    real(dp) :: x1(3), xn(3), xm(3), g(2), slope(2, 9), row(9), swapped
     integer :: equation, code, k
     ! begin
     equation = nint(x(1, 10))
@@ -19,9 +19,9 @@ subroutine umpc_user(x, u, f, a, jdof, n, force, iit, idiscon)
     end if
     code = jp_slider_constraint_jacobian(x1, xn, xm, g(1), g(2), slope)
     f = g(equation)
-    row = slope(:, equation)
+    row = slope(equation, :)
     if (equation == 1) then
-        row = [slope(7:9, equation), slope(1:6, equation)]
+        row = [slope(equation, 7:9), slope(equation, 1:6)]
     end if
     a(1:9) = row
     a(10) = 0

@@ -19,6 +19,7 @@ use super::deferred::Deferred;
 use super::fault::Faults;
 use super::output::write;
 use super::preprocessor::Formulary;
+use super::tables::DOWNLOADS;
 use super::theme::{SHEETS, Theme};
 use super::{links, mend, moving, permalinks, search, source};
 
@@ -109,6 +110,9 @@ fn finish(root: &Path, theme: &Path, out: &Path, title: &str, content: &Content,
     }
     for golden in &content.golden {
         write(&out.join("golden").join(&golden.name), &golden.bytes)?;
+    }
+    for download in &content.downloads {
+        write(&out.join(DOWNLOADS).join(&download.name), download.text.as_bytes())?;
     }
     for (path, text) in calculator::files(&content.entries) {
         write(&out.join(path), text.as_bytes())?;

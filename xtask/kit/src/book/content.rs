@@ -5,6 +5,7 @@
 //!
 //! Fields marked *text* contain plain text in which `$…$` is mathematics and `` `…` `` is code.
 
+use crate::export::Download;
 use crate::extension::Extras;
 use crate::report::data::Report;
 use jointproof::toolkit::verify::Audit;
@@ -26,6 +27,8 @@ pub(crate) struct Content {
     pub(crate) is_current: bool,
     /// Golden files to be copied next to the pages.
     pub(crate) golden: Vec<GoldenFile>,
+    /// Formulas and elements in other languages.
+    pub(crate) downloads: Vec<Download>,
     /// The data for citing entries.
     pub(crate) cited: Option<Cited>,
 }

@@ -8,6 +8,7 @@ use super::pages::{Pages, Place};
 use super::rust;
 use super::source::listing_page;
 use super::speed;
+use super::tables;
 use crate::extension::Fact;
 use jointproof::toolkit::verify::{Audit, Claim, Examination};
 use judge::examination;
@@ -140,14 +141,16 @@ fn symbol_row(pages: &Pages<'_>, at: &Place, symbol: &Symbol, columns: &Columns)
     )
 }
 
-/// The formulas it uses, its users, and its source.
+/// The formulas it uses, its users, its files in other languages, and its source.
 fn facts(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
     let source = &entry.source;
     let place = if source.place.is_empty() { String::new() } else { format!(", {}", pages.text(at, &source.place)) };
     let provenance = pages.text(at, &source.provenance);
     let uses = [("Uses", glance::uses(pages, at, entry)), ("Used by", glance::used_by(pages, at, entry))];
     let uses = each(uses, |(name, html)| if html.is_empty() { html } else { fact(name, &html) });
-    uses + &fact("Source", &format!("{}{place}; {provenance}", document(pages, at, source)))
+    let downloads = tables::downloads_of(pages, at, &entry.id, false);
+    let downloads = if downloads.is_empty() { downloads } else { fact("Download", &downloads) };
+    uses + &downloads + &fact("Source", &format!("{}{place}; {provenance}", document(pages, at, source)))
 }
 
 /// The folded evidence: the project's own facts, kinks, golden cases, measurements, laws and tests.

@@ -7,6 +7,7 @@ use super::content::{
 use super::locate::Index;
 use super::worked;
 use crate::evidence::Evidence;
+use crate::export;
 use crate::files::short_digest;
 use crate::project::Project;
 use crate::prove;
@@ -51,7 +52,8 @@ pub(crate) fn content(project: &Project, report: Option<Report>) -> anyhow::Resu
     }
     let is_current = report.as_ref().is_some_and(|report| report.is_current(project));
     let cited = cited(project);
-    Ok(Content { entries, sources, catalog_tests, extras, report, is_current, golden, cited })
+    let downloads = export::downloads(project);
+    Ok(Content { entries, sources, catalog_tests, extras, report, is_current, golden, downloads, cited })
 }
 
 /// Text without colours.

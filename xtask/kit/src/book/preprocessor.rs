@@ -105,6 +105,7 @@ impl Formulary {
             ("evidence", "") => tables::evidence(pages, at),
             ("accuracy", "") => tables::accuracy(pages, at),
             ("sources", "") => tables::sources(pages, at),
+            ("downloads", "") => tables::downloads(pages, at),
             ("speed", part) => speed::part(pages, at, part).unwrap_or_else(|| unknown(pages, at, name, argument)),
             ("table", name) => tables::named(pages, at, name),
             _ => unknown(pages, at, name, argument),

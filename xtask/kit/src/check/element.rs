@@ -7,8 +7,10 @@ use super::peer::{Peer, Replies, Reply};
 use super::random::Random;
 use super::violated::Conditions;
 use crate::console::{bold, count, green, print, red};
-use crate::outcome::{Outcome, Usage, verdict};
+use crate::outcome::{Outcome, verdict};
 use crate::project::Project;
+use crate::selection;
+use crate::uel::{Interface, is_rotation, len};
 use jointproof::catalog::AnyElement;
 use jointproof::formula::Field;
 use jointproof::toolkit::verify::Layout;
@@ -32,61 +34,11 @@ const WIDTH: usize = 120;
 /// A rounding of a number of size 1.
 const ROUNDING: f64 = 2e-16;
 
-/// How the arguments of a UEL are made of an element's inputs.
-struct Mapping {
-    layout: Layout,
-    /// The numbers of coordinates and of nodes.
-    mcrd: usize,
-    nodes: usize,
-    /// Where the orientations of each node are among the inputs: vectors of each.
-    triads: Vec<Vec<usize>>,
-    /// Where the position of each node is among the inputs.
-    positions: Vec<usize>,
-}
-
-fn len(fields: &[Field]) -> usize {
-    fields.iter().map(Field::len).sum()
-}
-
-impl Mapping {
-    fn new(element: &dyn AnyElement) -> Self {
-        let layout = element.layout();
-        let (mut triads, mut positions): (BTreeMap<String, Vec<usize>>, _) = (BTreeMap::new(), Vec::new());
-        let (mut at, mut mcrd) = (0, 3);
-        for field in layout.nodes {
-            if field.name.starts_with('x') {
-                positions.push(at);
-                mcrd = field.len();
-            } else {
-                // The orientation of a node ends with its name: e1a, e2a, e3a.
-                triads.entry(field.name[2..].to_owned()).or_default().push(at);
-            }
-            at += field.len();
-        }
-        let internal = usize::from(!layout.multipliers.is_empty());
-        Self { mcrd, nodes: positions.len() + internal, triads: triads.into_values().collect(), positions, layout }
-    }
-
-    fn ndofel(&self) -> usize {
-        len(self.layout.unknowns) + len(self.layout.multipliers)
-    }
-
-    fn orientations(&self) -> usize {
-        self.triads.iter().map(|triad| triad.len() * self.mcrd).sum()
-    }
-
-    fn nprops(&self) -> usize {
-        self.orientations() + len(self.layout.start) + len(self.layout.contact)
-    }
-
+impl Interface {
+    /// The numbers of a line of input, and of its answer.
     fn numbers(&self) -> [usize; 2] {
         let (n, states) = (self.ndofel(), self.svars());
-        [self.nprops().max(1) + states + self.mcrd * self.nodes + n, n + n * n + states]
-    }
-
-    /// The states; an array has one at least.
-    fn svars(&self) -> usize {
-        len(self.layout.state).max(1)
+        [self.nprops() + states + self.mcrd * self.nodes + n, n + n * n + states]
     }
 
     /// PROPS, SVARS, COORDS and U at inputs.
@@ -119,7 +71,7 @@ impl Mapping {
         }
         props.extend(start);
         props.extend(if rubs { contact.to_vec() } else { vec![0.0; len(layout.contact)] });
-        props.resize(self.nprops().max(1), 0.0);
+        props.resize(self.nprops(), 0.0);
         let mut svars = if rubs { state.to_vec() } else { vec![0.0; len(layout.state)] };
         svars.resize(self.svars(), 0.0);
         let mut coords = Vec::new();
@@ -137,7 +89,7 @@ impl Mapping {
         let (mut displaced, mut turns) = (displaced.into_iter(), turns.into_iter());
         let mut u = Vec::new();
         for unknown in layout.unknowns {
-            if unknown.name.starts_with('t') {
+            if is_rotation(unknown) {
                 u.extend(turns.next().unwrap_or_else(|| vec![random.next(); unknown.len()]));
             } else {
                 u.extend(displaced.by_ref().take(unknown.len()));
@@ -218,7 +170,7 @@ impl Point {
     }
 }
 
-fn points(element: &dyn AnyElement, mapping: &Mapping) -> Vec<Point> {
+fn points(element: &dyn AnyElement, mapping: &Interface) -> Vec<Point> {
     let mut random = Random::new();
     let nodes = len(mapping.layout.nodes);
     let is_position =
@@ -263,18 +215,12 @@ fn points(element: &dyn AnyElement, mapping: &Mapping) -> Vec<Point> {
     points
 }
 
-fn found<'a>(project: &Project, id: &str) -> Result<&'a dyn AnyElement, Usage> {
-    let ids = || project.elements().iter().map(|element| element.spec().id).collect::<Vec<_>>().join(", ");
-    let element = project.elements().iter().find(|element| element.spec().id == id);
-    element.copied().ok_or_else(|| Usage(format!("--element '{id}' is no element, but there are {}", ids())))
-}
-
 /// Prints or writes the driver of an element.
 ///
 /// # Errors
 /// If there is no such element, or a file cannot be written.
 pub(super) fn driver(project: &Project, id: &str, out: Option<&Path>) -> Outcome {
-    let element = found(project, id)?;
+    let element = selection::element(project, id)?;
     let text = text(element);
     print(&match out {
         Some(folder) => abi::write_text("uel", &text, folder)?,
@@ -284,7 +230,7 @@ pub(super) fn driver(project: &Project, id: &str, out: Option<&Path>) -> Outcome
 }
 
 fn text(element: &dyn AnyElement) -> String {
-    let mapping = Mapping::new(element);
+    let mapping = Interface::new(element);
     let Layout { unknowns, multipliers, start, contact, state, .. } = &mapping.layout;
     let names = |fields: &[Field]| {
         let name = |field: &Field| match field.len() {
@@ -307,7 +253,7 @@ fn text(element: &dyn AnyElement) -> String {
     let props = or_none(format!("{triads}{}", names(&[*start, *contact].concat())));
     let friction = contact.first().map_or(String::new(), |field| format!("; where {} is 0 nothing rubs", field.name));
     let residuals = if multipliers.is_empty() { "" } else { ", and by how much its conditions are off" };
-    let sizes = [mapping.ndofel(), mapping.nodes, mapping.mcrd, mapping.svars(), mapping.nprops().max(1)];
+    let sizes = [mapping.ndofel(), mapping.nodes, mapping.mcrd, mapping.svars(), mapping.nprops()];
     let [ndofel, nnode, mcrd, nsvars, nprops] = sizes.map(|size| size.to_string());
     let id = element.spec().id;
     let values = [
@@ -350,8 +296,8 @@ fn wrapped(line: &str) -> String {
 /// # Errors
 /// If there is no such element, or the program cannot be started.
 pub(super) fn run(project: &Project, id: &str, program: &[String], limit: Duration) -> Outcome {
-    let element = found(project, id)?;
-    let mapping = Mapping::new(element);
+    let element = selection::element(project, id)?;
+    let mapping = Interface::new(element);
     let points = points(element, &mapping);
     let [inputs, numbers] = mapping.numbers();
     let shown = |point: &Point| point.arguments.iter().map(|&x| Digits::Decimal.show(x)).collect::<Vec<_>>().join(" ");

@@ -14,3 +14,4 @@ mod random;
 mod violated;
 
 pub(crate) use command::{Arguments, run};
+pub(crate) use driver::abi::filled;

@@ -5,30 +5,79 @@ pub(super) mod loops;
 
 use super::language::{File, Language, Operand, Syntax, Toolchain, files_of};
 use super::program::{Body, Lines, PartLines, WIDTH, folded};
-use super::recorded::{Recorded, Text, bounds, description, filled, function_name, refusals, stem, unreserved};
+use super::recorded::{
+    Function, Output, Recorded, Shape, Text, bounds, description, filled, refusals, stem, unreserved,
+};
 use jointproof::formula::Field;
 use jointproof::toolkit::graph::{Binary, Node, Op, Relation, Unary};
 use std::path::Path;
 
 pub(super) struct C;
 
-const RUNTIME: &str = include_str!("runtime/jp_runtime.h");
-/// Reserved words of C, and names used in the functions themselves.
-const RESERVED: [&str; 7] = ["double", "int", "k", "jacobian", "const", "given", "found"];
+pub(super) const RUNTIME: &str = include_str!("runtime/jp_runtime.h");
+/// What marks arrays that results are written to, in C and in C++.
+pub(super) const ARRAYS: &str = include_str!("runtime/jp_arrays.h");
+/// Whether the compiler keeps the order of operations.
+const SELF_TEST: &str = include_str!("runtime/jp_self_test.c");
+/// How other projects find the library.
+const PKG_CONFIG: &str = include_str!("runtime/jointproof.pc.in");
+/// Reserved words of C and C++ that could be the name of a quantity, and names used in the functions themselves.
+const RESERVED: [&str; 37] = [
+    "auto",
+    "bool",
+    "break",
+    "case",
+    "char",
+    "class",
+    "const",
+    "default",
+    "delete",
+    "do",
+    "double",
+    "exp",
+    "explicit",
+    "float",
+    "found",
+    "given",
+    "goto",
+    "inline",
+    "int",
+    "jacobian",
+    "k",
+    "long",
+    "namespace",
+    "new",
+    "operator",
+    "private",
+    "public",
+    "register",
+    "round",
+    "short",
+    "signed",
+    "switch",
+    "template",
+    "this",
+    "union",
+    "using",
+    "volatile",
+];
 const FLAGS: [&str; 6] = ["-std=c99", "-O2", "-ffp-contract=off", "-Wall", "-Wextra", "-Wpedantic"];
 
 impl Language for C {
     fn files(&self, recorded: &[Recorded]) -> Vec<File> {
-        let formulas: Vec<_> = recorded.iter().flat_map(|one| files_of(self, one)).collect();
+        let mut sources = vec![("jp_self_test.c".to_owned(), SELF_TEST.to_owned())];
+        sources.extend(recorded.iter().flat_map(|one| files_of(self, one)));
         let drivers = driver::files(recorded);
         let mut files = vec![
             ("jp_runtime.h".to_owned(), RUNTIME.to_owned()),
+            ("jp_arrays.h".to_owned(), ARRAYS.to_owned()),
             ("jointproof.h".to_owned(), umbrella(recorded)),
-            ("Makefile".to_owned(), makefile(&formulas, &drivers)),
-            ("CMakeLists.txt".to_owned(), cmake(&formulas)),
+            ("Makefile".to_owned(), makefile(recorded, &sources, &drivers)),
+            ("CMakeLists.txt".to_owned(), cmake(recorded, &sources)),
+            ("jointproof.pc.in".to_owned(), PKG_CONFIG.replace("{version}", env!("CARGO_PKG_VERSION"))),
         ];
         files.extend(drivers);
-        files.extend(formulas);
+        files.extend(sources);
         files
     }
 
@@ -38,7 +87,7 @@ impl Language for C {
 }
 
 impl Syntax for C {
-    fn formula(&self, one: &Recorded, limit: usize) -> Vec<File> {
+    fn printed(&self, one: &Recorded, limit: usize) -> Vec<File> {
         let stem = stem(one);
         let (source, parts) = source(one, limit);
         let mut files = vec![(format!("jp_{stem}.c"), source), (format!("jp_{stem}.h"), header(one))];
@@ -62,13 +111,15 @@ impl Syntax for C {
     }
 
     fn operation(&self, op: &Op, operand: Operand) -> String {
-        match op {
-            Op::ExactSum(products) => {
-                let head = format!("jp_exact_sum({}, (const double[][4]){{", products.len());
-                exact_sum(products, operand, [&head, "{", "}", "})"])
-            }
-            op => common(op, operand, &NAMES),
-        }
+        common(op, operand, &NAMES)
+    }
+
+    /// C++ has no arrays without a name.
+    fn statement(&self, name: &str, is_answer: bool, op: &Op, operand: Operand) -> String {
+        let Op::ExactSum(products) = op else { return self.set(name, is_answer, &self.operation(op, operand)) };
+        let head = format!("const double {name}_terms[{}][4] = {{", products.len());
+        let terms = exact_sum(products, operand, [&head, "{", "}", "};"]);
+        format!("{terms}\nconst double {name} = jp_exact_sum({}, {name}_terms);", products.len())
     }
 
     fn set(&self, name: &str, is_answer: bool, value: &str) -> String {
@@ -89,13 +140,20 @@ impl Syntax for C {
         if is_answer { format!("({array}[{k}] != 0.0)") } else { format!("{array}[{k}]") }
     }
 
+    fn as_number(&self, text: &str, is_answer: bool) -> String {
+        if is_answer { format!("(double){text}") } else { text.to_owned() }
+    }
+
     fn call(&self, stem: &str, part: usize, inputs: &[&Field], given: &[String], found: (&str, usize)) -> String {
         let mut arguments: Vec<_> = inputs.iter().map(|field| name_of(field)).collect();
+        let mut text = String::new();
         if !given.is_empty() {
-            arguments.push(format!("(const double[]){{{}}}", given.join(", ")));
+            text = format!("const double given_{part}[{}] = {{{}}};\n", given.len(), given.join(", "));
+            arguments.push(format!("given_{part}"));
         }
         let (array, len) = found;
-        format!("double {array}[{len}];\njp_{stem}_part{part}({}, {array});", arguments.join(", "))
+        arguments.push(array.to_owned());
+        format!("{text}double {array}[{len}];\njp_{stem}_part{part}({});", arguments.join(", "))
     }
 
     fn choose(&self, condition: &str) -> [String; 3] {
@@ -191,16 +249,16 @@ fn name_of(field: &Field) -> String {
     unreserved(field.name, &RESERVED)
 }
 
-/// The text of a formula's functions, and the parts that they call.
+/// The text of its functions, and the parts that they call.
 fn source(one: &Recorded, limit: usize) -> (String, Vec<PartLines>) {
     let stem = stem(one);
-    let body = Body { language: &C, graph: &one.graph, inputs: one.formula.inputs(), names: &one.names, stem: &stem };
+    let body = Body { language: &C, graph: &one.graph, inputs: one.inputs(), names: &one.names, stem: &stem };
     let mut parts = Vec::new();
     let mut functions = Vec::new();
-    for with_jacobian in one.functions() {
-        let (lines, more) = body.program(&one.results(with_jacobian), limit, parts.len() + 1);
+    for printed in one.functions() {
+        let (lines, more) = body.program(&one.results(&printed), limit, parts.len() + 1);
         parts.extend(more);
-        functions.push(function(one, &body, &lines, with_jacobian));
+        functions.push(function(one, &body, &lines, &printed));
     }
     let mut text = Text::from(comment(&description(one)));
     let with_parts = if parts.is_empty() { String::new() } else { format!("#include \"jp_{stem}_parts.h\"\n") };
@@ -209,9 +267,9 @@ fn source(one: &Recorded, limit: usize) -> (String, Vec<PartLines>) {
     (text.finished(), parts)
 }
 
-fn function(one: &Recorded, body: &Body, lines: &Lines, with_jacobian: bool) -> String {
-    let mut text = Text::from(format!("\n{}\n{{\n", prototype(one, with_jacobian)));
-    let inputs = one.formula.inputs();
+fn function(one: &Recorded, body: &Body, lines: &Lines, function: &Function) -> String {
+    let mut text = Text::from(format!("\n{}\n{{\n", prototype(one, function)));
+    let inputs = one.inputs();
     for (position, field) in inputs.iter().enumerate() {
         text.push(refusal(field, position + 1));
     }
@@ -222,18 +280,15 @@ fn function(one: &Recorded, body: &Body, lines: &Lines, with_jacobian: bool) -> 
         let code = body.text(lines, refusal);
         text.push(format!("    if ({code} > 0.0) return {} + (int)({code});\n", inputs.len()));
     }
-    let mut value = one.graph.value.iter();
-    for field in one.formula.outputs() {
-        for (k, &node) in value.by_ref().take(field.len()).enumerate() {
-            let name = name_of(field);
-            let place = if field.len() == 1 { format!("*{name}") } else { format!("{name}[{k}]") };
-            text.push(format!("    {place} = {};\n", body.text(lines, node)));
+    for output in &function.outputs {
+        let name = output_name(output);
+        if output.shape == Shape::Number {
+            text.push(format!("    *{name} = {};\n", body.text(lines, one.nodes(output)[0])));
+            continue;
         }
-    }
-    if with_jacobian {
-        let (zeros, entries) = one.entries();
-        text.push(zeroed(&zeros, one.graph.jacobian.len()));
-        let entries = entries.iter().map(|(k, node)| format!("jacobian[{k}] = {};", body.text(lines, *node)));
+        let (zeros, entries) = one.entries(output);
+        text.push(zeroed(&name, &zeros, output.len()));
+        let entries = entries.iter().map(|(k, node)| format!("{name}[{k}] = {};", body.text(lines, *node)));
         text.push(statements(entries));
     }
     text.push("    return 0;\n}\n");
@@ -245,13 +300,13 @@ fn function(one: &Recorded, body: &Body, lines: &Lines, with_jacobian: bool) -> 
 const FEW_ZEROS: usize = 64;
 
 /// The entries that are always 0, or all entries if there are many.
-fn zeroed(zeros: &[usize], entries: usize) -> String {
+fn zeroed(name: &str, zeros: &[usize], entries: usize) -> String {
     if zeros.len() > FEW_ZEROS {
-        return format!("    memset(jacobian, 0, {entries} * sizeof *jacobian);\n");
+        return format!("    memset({name}, 0, {entries} * sizeof *{name});\n");
     }
     let last = zeros.len().saturating_sub(1);
     let end = |n: usize| if n < last { "" } else { " 0.0;" };
-    statements(zeros.iter().enumerate().map(|(n, k)| format!("jacobian[{k}] ={}", end(n))))
+    statements(zeros.iter().enumerate().map(|(n, k)| format!("{name}[{k}] ={}", end(n))))
 }
 
 /// Short statements, several per line.
@@ -278,61 +333,56 @@ fn refusal(field: &Field, code: usize) -> String {
     }
 }
 
-fn argument(field: &Field, kind: [&str; 2]) -> String {
+fn taken(field: &Field) -> String {
     let name = name_of(field);
     match field.len() {
-        1 => format!("{}{name}", kind[0]),
-        len => format!("{}{name}[{len}]", kind[1]),
+        1 => format!("double {name}"),
+        len => format!("const double {name}[{len}]"),
     }
 }
 
-fn taken(field: &Field) -> String {
-    argument(field, ["double ", "const double "])
+fn output_name(output: &Output) -> String {
+    match output.shape {
+        Shape::Matrix(..) => output.name.to_owned(),
+        _ => unreserved(output.name, &RESERVED),
+    }
 }
 
-fn prototype(one: &Recorded, with_jacobian: bool) -> String {
-    let inputs = one.formula.inputs().iter().map(taken);
-    let outputs = one.formula.outputs().iter().map(|field| argument(field, ["double *", "double "]));
-    let jacobian = with_jacobian.then(|| format!("double jacobian[{}]", one.graph.jacobian.len()));
-    let what = function_name(with_jacobian);
-    let arguments: Vec<_> = inputs.chain(outputs).chain(jacobian).collect();
-    format!("int jp_{}_{what}(\n    {})", stem(one), arguments.join(",\n    "))
+fn given(output: &Output) -> String {
+    let name = output_name(output);
+    match output.shape {
+        Shape::Number => format!("double *JP_RESTRICT {name}"),
+        _ => format!("double JP_ARRAY({name}, {})", output.len()),
+    }
+}
+
+fn prototype(one: &Recorded, function: &Function) -> String {
+    let arguments: Vec<_> = one.inputs().iter().map(taken).chain(function.outputs.iter().map(given)).collect();
+    format!("int jp_{}_{}(\n    {})", stem(one), function.name, arguments.join(",\n    "))
 }
 
 /// A header with its guard.
-fn guarded(name: &str, text: &str) -> String {
+fn guarded(name: &str, includes: &str, text: &str) -> String {
     let guard = name.to_uppercase();
     format!(
-        "#ifndef {guard}_H\n#define {guard}_H\n\n#ifdef __cplusplus\nextern \"C\" {{\n#endif\n\n{text}\n\
+        "#ifndef {guard}_H\n#define {guard}_H\n\n{includes}#ifdef __cplusplus\nextern \"C\" {{\n#endif\n\n{text}\n\
          #ifdef __cplusplus\n}}\n#endif\n\n#endif\n"
     )
 }
 
 fn header(one: &Recorded) -> String {
-    let spec = one.formula.spec();
-    let mut lines = vec![format!("{}: {}", spec.id, spec.title), String::new(), "Return code 0: done.".into()];
-    lines.extend(refusals(one.formula.inputs(), &one.graph));
-    let prototypes: Vec<_> = one.functions().into_iter().map(|with| format!("{};\n", prototype(one, with))).collect();
+    let mut lines = vec![format!("{}: {}", one.subject, one.subject.spec().title), String::new()];
+    lines.push("Return code 0: done.".into());
+    lines.extend(refusals(one));
+    let prototypes: Vec<_> = one.functions().iter().map(|function| prototype(one, function) + ";\n").collect();
     let text = prototypes.join("\n");
-    comment(&lines) + &guarded(&format!("jp_{}", stem(one)), &text)
+    comment(&lines) + &guarded(&format!("jp_{}", stem(one)), "#include \"jp_arrays.h\"\n\n", &text)
 }
 
 /// The header that includes all others.
 fn umbrella(recorded: &[Recorded]) -> String {
-    let mut text = Text::from(
-        "/*\n * Formulas with their Jacobians, printed by jointproof from the program that it proves.\n *\n\
-         \x20* ..._value gives the outputs; ..._jacobian, where it is in closed form, the outputs and\n\
-         \x20* every derivative, output by output, each over all inputs in order. A return code is 0, or says\n\
-         \x20* why inputs are refused, as each header tells; nothing is written then. A result that is too\n\
-         \x20* large for a double is infinite.\n *\n\
-         \x20* Compile without fused operations and without -ffast-math: -std=c99 -ffp-contract=off.\n */\n\
-         #ifndef JOINTPROOF_H\n#define JOINTPROOF_H\n\n",
-    );
-    for one in recorded {
-        text.push(format!("#include \"jp_{}.h\"\n", stem(one)));
-    }
-    text.push("\n#endif\n");
-    text.finished()
+    let includes: String = recorded.iter().map(|one| format!("#include \"jp_{}.h\"\n", stem(one))).collect();
+    include_str!("runtime/jointproof.h").replace("{includes}", &includes)
 }
 
 fn part_prototype(stem: &str, part: &PartLines) -> String {
@@ -345,7 +395,7 @@ fn part_prototype(stem: &str, part: &PartLines) -> String {
 fn parts_header(stem: &str, parts: &[PartLines]) -> String {
     let prototypes: Vec<_> = parts.iter().map(|part| part_prototype(stem, part) + ";\n").collect();
     comment(&["What the functions of this formula call; for nobody else.".into()])
-        + &guarded(&format!("jp_{stem}_parts"), &prototypes.concat())
+        + &guarded(&format!("jp_{stem}_parts"), "", &prototypes.concat())
 }
 
 fn part_source(stem: &str, part: &PartLines) -> String {
@@ -364,31 +414,27 @@ fn sources(files: &[File]) -> impl Iterator<Item = &str> {
         .filter(|name| Path::new(name).extension().is_some_and(|extension| extension == "c"))
 }
 
-fn makefile(formulas: &[File], drivers: &[File]) -> String {
-    let objects = |files| sources(files).map(|name| name.replace(".c", ".o")).collect::<Vec<_>>().join(" \\\n    ");
-    format!(
-        "CC ?= cc\nCFLAGS ?= {}\nOBJECTS = {}\nDRIVER = {}\n\
-         SPEED = $(patsubst %.c,%.o,$(wildcard speed*.c))\n\n\
-         libjointproof.a: $(OBJECTS)\n\t$(AR) rcs $@ $(OBJECTS)\n\n\
-         driver: $(DRIVER) libjointproof.a\n\t$(CC) -o $@ $(DRIVER) libjointproof.a -lm\n\n\
-         speed: $(SPEED) $(OBJECTS)\n\t$(CC) $(CFLAGS) -o $@ $(SPEED) $(OBJECTS) -lm\n\n\
-         clean:\n\trm -f *.o libjointproof.a driver speed\n",
-        FLAGS.join(" "),
-        objects(formulas),
-        objects(drivers)
-    )
+/// The headers that callers include.
+fn headers(recorded: &[Recorded]) -> Vec<String> {
+    let own = ["jointproof.h", "jp_arrays.h"].map(str::to_owned);
+    own.into_iter().chain(recorded.iter().map(|one| format!("jp_{}.h", stem(one)))).collect()
 }
 
-fn cmake(formulas: &[File]) -> String {
-    let sources: Vec<_> = sources(formulas).collect();
-    format!(
-        "cmake_minimum_required(VERSION 3.10)\nproject(jointproof C)\nadd_library(jointproof\n    {})\n\
-         set_property(TARGET jointproof PROPERTY C_STANDARD 99)\n\
-         target_compile_options(jointproof PRIVATE -ffp-contract=off)\n\
-         target_include_directories(jointproof PUBLIC ${{CMAKE_CURRENT_SOURCE_DIR}})\n\
-         target_link_libraries(jointproof m)\n",
-        sources.join("\n    ")
-    )
+fn makefile(recorded: &[Recorded], library: &[File], drivers: &[File]) -> String {
+    let objects = |files| sources(files).map(|name| name.replace(".c", ".o")).collect::<Vec<_>>().join(" \\\n    ");
+    include_str!("runtime/Makefile")
+        .replace("{flags}", &FLAGS.join(" "))
+        .replace("{objects}", &objects(library))
+        .replace("{driver}", &objects(drivers))
+        .replace("{headers}", &headers(recorded).join(" \\\n    "))
+}
+
+fn cmake(recorded: &[Recorded], library: &[File]) -> String {
+    let sources: Vec<_> = sources(library).collect();
+    include_str!("runtime/CMakeLists.txt")
+        .replace("{version}", env!("CARGO_PKG_VERSION"))
+        .replace("{sources}", &sources.join("\n    "))
+        .replace("{headers}", &headers(recorded).join("\n    "))
 }
 
 fn toolchain(name: &'static str) -> Toolchain {

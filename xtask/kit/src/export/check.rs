@@ -2,7 +2,7 @@
 
 use super::language::{Language, Toolchain};
 use super::points::{Expected, Point};
-use super::recorded::Recorded;
+use super::recorded::{Function, Output, Recorded, Shape, Subject};
 use crate::console::{count as counted, say};
 use anyhow::{Context, ensure};
 use jointproof::formula::Field;
@@ -17,9 +17,9 @@ pub(super) struct Judged {
     toolchain: &'static str,
     compared: usize,
     differ: usize,
-    /// Differences within the tolerance for the functions of the language: by formula, how many, and the largest, in
+    /// Differences within the tolerance for the functions of the language: by formula or element, how many, and the largest, in
     /// units of the distance from 1 to the next number, or of the number's own if that is larger.
-    near: BTreeMap<&'static str, (usize, f64)>,
+    near: BTreeMap<String, (usize, f64)>,
     refused: usize,
     worst: Option<String>,
 }
@@ -83,7 +83,7 @@ fn run(folder: &Path, command: &[String]) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// For every formula the number of points, and the inputs of each, as little-endian doubles.
+/// For every formula and every element the number of points, and the inputs of each, as little-endian doubles.
 fn write_points(folder: &Path, points: &[Vec<Point>]) -> anyhow::Result<()> {
     let mut bytes = Vec::new();
     for points in points {
@@ -94,7 +94,7 @@ fn write_points(folder: &Path, points: &[Vec<Point>]) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Compares the driver's output: for every point a return code as a double, value, and Jacobian.
+/// Compares the driver's output: for every point a return code as a double, and all results.
 fn compare(
     toolchain: &Toolchain,
     recorded: &[Recorded],
@@ -105,7 +105,8 @@ fn compare(
     let mut judged =
         Judged { toolchain: toolchain.name, compared: 0, differ: 0, near: BTreeMap::new(), refused: 0, worst: None };
     for (one, points) in recorded.iter().zip(points) {
-        let numbers = one.graph.value.len() + one.graph.jacobian.len();
+        let Function { outputs, .. } = one.largest_function();
+        let numbers = outputs.iter().map(Output::len).sum();
         for point in points {
             let code = found.next().context("the driver wrote too few results")?;
             let results: Vec<_> = found.by_ref().take(numbers).collect();
@@ -143,7 +144,7 @@ impl Judged {
             return;
         }
         if is_near(one, toolchain.epsilons, [found, expected]) {
-            let (count, largest) = self.near.entry(one.formula.spec().id).or_default();
+            let (count, largest) = self.near.entry(one.subject.to_string()).or_default();
             *count += 1;
             *largest = largest.max((found - expected).abs() / (f64::EPSILON * expected.abs().max(1.0)));
             return;
@@ -160,14 +161,14 @@ impl Judged {
 
     fn off(&mut self, one: &Recorded, point: &Point, what: &str) {
         self.differ += 1;
-        self.worst.get_or_insert_with(|| format!("{} at {}: {what}", one.formula.spec().id, point.name));
+        self.worst.get_or_insert_with(|| format!("{} at {}: {what}", one.subject, point.name));
     }
 }
 
-/// A non-zero return code; the driver returns −1 if the two functions of a formula disagree.
+/// A non-zero return code; the driver returns −1 if the two functions disagree.
 fn refusal(code: f64) -> String {
     if code < 0.0 {
-        return "the function for the value gives another one than the function with the Jacobian".into();
+        return "the function for the value gives another one than the function with all results".into();
     }
     format!("refuses input {code}, which is valid")
 }
@@ -177,7 +178,7 @@ pub(super) fn is_near(one: &Recorded, epsilons: f64, [found, expected]: [f64; 2]
     (found - expected).abs() <= f64::EPSILON * epsilons * (1.0 + expected.abs()) && has_functions(one)
 }
 
-/// Whether a formula calls functions that languages round differently.
+/// Whether it calls functions that languages round differently.
 fn has_functions(one: &Recorded) -> bool {
     use jointproof::toolkit::graph::Unary::{Cosine, Exponential, ExponentialMinusOne, Sine};
     one.graph.ops().iter().any(|op| match op {
@@ -187,8 +188,8 @@ fn has_functions(one: &Recorded) -> bool {
     })
 }
 
-/// The name of a component of the value, or of an entry of the Jacobian.
-pub(super) fn entry(one: &Recorded, k: usize) -> String {
+/// The name of a number among the outputs: a component, a derivative, or an entry of a matrix.
+pub(super) fn entry(one: &Recorded, mut k: usize) -> String {
     let names = |fields: &[Field]| -> Vec<String> {
         let of = |field: &Field| match field.len() {
             1 => vec![field.name.to_owned()],
@@ -196,11 +197,21 @@ pub(super) fn entry(one: &Recorded, k: usize) -> String {
         };
         fields.iter().flat_map(of).collect()
     };
-    let (inputs, outputs) = (names(one.formula.inputs()), names(one.formula.outputs()));
-    match k.checked_sub(outputs.len()) {
-        None => outputs[k].clone(),
-        Some(k) => format!("∂{}/∂{}", outputs[k / inputs.len()], inputs[k % inputs.len()]),
+    for output in one.largest_function().outputs {
+        if k < output.len() {
+            return match (output.shape, one.subject) {
+                (Shape::Number, _) => output.name.to_owned(),
+                (Shape::Vector(_), _) => format!("{}[{k}]", output.name),
+                (Shape::Matrix(_, columns), Subject::Formula(formula)) => {
+                    let (outputs, inputs) = (names(formula.outputs()), names(formula.inputs()));
+                    format!("∂{}/∂{}", outputs[k / columns], inputs[k % columns])
+                }
+                (Shape::Matrix(_, columns), _) => format!("{}[{}, {}]", output.name, k / columns, k % columns),
+            };
+        }
+        k -= output.len();
     }
+    unreachable!("there are as many results as the outputs have numbers")
 }
 
 #[cfg(test)]
@@ -210,7 +221,7 @@ mod tests {
     use super::super::javascript::JavaScript;
     use super::super::numpy::NumPy;
     use super::super::points;
-    use super::super::recorded::record;
+    use super::super::recorded::{element_of, formulas};
     use super::*;
     use crate::files;
     use jointproof::catalog::find;
@@ -219,7 +230,7 @@ mod tests {
     /// The report of the check for an export in which a text of a file is replaced by another.
     fn judged(id: &str, file: &str, from: &str, to: &str) -> String {
         let folder = tempfile::tempdir().unwrap();
-        let (recorded, _) = record(&[find(id).unwrap()], None);
+        let recorded = formulas(&[id]);
         for (name, text) in C.files(&recorded) {
             let planted = if name == file { text.replace(from, to) } else { text.clone() };
             assert_eq!(name == file, planted != text, "{from} is not in {name}");
@@ -241,7 +252,7 @@ mod tests {
     /// Each language rounds by its own function or by that of its runtime, also beside halves and where integers are all.
     #[test]
     fn the_nearest_integer_has_the_same_bits_in_every_language() {
-        let (mut recorded, _) = record(&[find("slot.contact_force").unwrap()], None);
+        let mut recorded = formulas(&["slot.contact_force"]);
         let graph = &mut recorded[0].graph;
         let f2 = graph.needed(&graph.value).into_iter().find(|&node| *graph.op(node) == Op::Input(0)).unwrap();
         *graph = graph.altered(graph.value[0], &Instead::Op(Op::Unary(Unary::NearestInteger, f2)));
@@ -268,7 +279,7 @@ mod tests {
 
     #[test]
     fn what_is_off_by_functions_of_the_language_is_counted() {
-        let (recorded, _) = record(&[find("interaction.pressure_exponential").unwrap()], None);
+        let recorded = formulas(&["interaction.pressure_exponential"]);
         let points = points::all(&recorded, 1);
         let toolchain = Toolchain { name: "node", commands: Vec::new(), epsilons: 4.0 };
         let mut judged =
@@ -297,7 +308,7 @@ mod tests {
 
     #[test]
     fn how_far_off_functions_are_is_in_units_of_1_or_of_what_is_larger() {
-        let (recorded, _) = record(&[find("interaction.pressure_exponential").unwrap()], None);
+        let recorded = formulas(&["interaction.pressure_exponential"]);
         let points = points::all(&recorded, 1);
         let toolchain = Toolchain { name: "node", commands: Vec::new(), epsilons: 4.0 };
         let largest = |found: f64, expected: f64| {
@@ -315,7 +326,7 @@ mod tests {
     /// A formula with a value and two entries, at three points: one with results, one rejected, one too large.
     #[test]
     fn what_a_driver_wrote_is_compared_point_by_point() {
-        let (recorded, _) = record(&[find("slot.contact_force").unwrap()], None);
+        let recorded = formulas(&["slot.contact_force"]);
         let toolchain = Toolchain { name: "gcc", commands: Vec::new(), epsilons: 0.0 };
         let points = || {
             let point = |name: &str, expected| Point { name: name.into(), inputs: vec![3.0, 4.0], expected };
@@ -338,7 +349,7 @@ mod tests {
         let valid = off("0 numbers", 1, "a: refuses input 1, which is valid");
         assert_eq!(of([[1.0, 5.0, 0.5, 0.75], refused, large]), valid);
         let two =
-            off("0 numbers", 1, "a: the function for the value gives another one than the function with the Jacobian");
+            off("0 numbers", 1, "a: the function for the value gives another one than the function with all results");
         assert_eq!(of([[-1.0, 5.0, 0.5, 0.75], refused, large]), two);
         let another = off("3 numbers", 1, "b: gives the return code 1, expected is the refusal 2");
         assert_eq!(of([well, [1.0; 4], large]), another);
@@ -350,7 +361,7 @@ mod tests {
     #[test]
     fn entries_are_named_by_outputs_and_inputs_and_their_components() {
         let named = |id: &str, all: std::ops::Range<usize>| {
-            let (recorded, _) = record(&[find(id).unwrap()], None);
+            let recorded = formulas(&[id]);
             all.map(|k| entry(&recorded[0], k)).collect::<Vec<_>>()
         };
         assert_eq!(named("slot.contact_force", 0..3), ["fc", "∂fc/∂f2", "∂fc/∂f3"]);
@@ -358,6 +369,27 @@ mod tests {
         assert_eq!(line[..4], ["n[0]", "n[1]", "n[2]", "l"]);
         assert_eq!(line[4..6], ["∂n[0]/∂x1[0]", "∂n[0]/∂x1[1]"]);
         assert_eq!(line[9..11], ["∂n[0]/∂xn[2]", "∂n[1]/∂x1[0]"]);
+    }
+
+    #[test]
+    fn an_entry_of_a_matrix_of_an_element_is_named() {
+        let recorded = element_of("slot_2d");
+        let points = points::all(&recorded, 5);
+        let folder = tempfile::tempdir().unwrap();
+        let files = |from: &str, to: &str| {
+            for (name, text) in C.files(&recorded) {
+                let text = if name == "jp_element_slot_2d_rubbing.c" { text.replace(from, to) } else { text };
+                files::write(&folder.path().join(name), &text).unwrap();
+            }
+            all(&C, folder.path(), &recorded, &points).unwrap().remove(0)
+        };
+        let right = files("", "");
+        assert!(right.is_well() && right.refused > 0, "{right}");
+        let wrong = files("stiffness[1] = ", "stiffness[1] = 1.0 + ").to_string();
+        assert!(
+            wrong.contains("element slot_2d with friction at ") && wrong.contains(": stiffness[0, 1]: "),
+            "{wrong}"
+        );
     }
 
     #[test]
@@ -372,7 +404,7 @@ mod tests {
     #[test]
     fn functions_of_a_language_may_be_off_in_units_of_what_is_larger_1_or_the_number() {
         let is_near = |id, found: f64, expected| {
-            let (recorded, _) = record(&[find(id).unwrap()], None);
+            let recorded = formulas(&[id]);
             is_near(&recorded[0], 4.0, [found, expected])
         };
         let calling = "interaction.pressure_exponential";
@@ -384,7 +416,7 @@ mod tests {
     #[test]
     fn the_head_of_a_file_says_what_the_formula_is() {
         let formula = find("slot.contact_force").unwrap();
-        let (recorded, _) = record(&[formula], None);
+        let recorded = formulas(&[formula.spec().id]);
         for language in [&C as &dyn Language, &Fortran, &JavaScript, &NumPy] {
             let files = language.files(&recorded);
             let (name, text) = files.iter().find(|(name, _)| name.starts_with("jp_slot_contact_force")).unwrap();
@@ -401,7 +433,7 @@ mod tests {
     #[test]
     fn no_line_and_no_file_is_too_long() {
         let ids = ["ujoint.friction", "join.geometric_stiffness", "slider.increment", "cardan.angles"];
-        let (recorded, _) = record(&ids.map(|id| find(id).unwrap()), None);
+        let recorded = formulas(&ids);
         for language in [&C as &dyn Language, &Fortran, &JavaScript] {
             let files = language.files(&recorded);
             assert!(files == language.files(&recorded), "other files for the same formulas");

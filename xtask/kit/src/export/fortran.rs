@@ -2,13 +2,12 @@
 
 use super::c::{Names, common, exact_sum, signed};
 pub(super) mod driver;
-pub(super) mod element;
 
 use super::language::{File, Language, Operand, Syntax, Toolchain, files_of};
 use super::program::{Body, Lines, PartLines, folded};
-use super::recorded::{Recorded, Text, bounds, description, function_name, refusals, stem, unreserved};
+use super::recorded::{Function, Output, Recorded, Shape, Text, bounds, description, refusals, stem, unreserved};
 use jointproof::formula::Field;
-use jointproof::toolkit::graph::{Node, Op, Relation, Unary};
+use jointproof::toolkit::graph::{Op, Relation, Unary};
 use std::collections::BTreeSet;
 
 pub(super) struct Fortran;
@@ -16,7 +15,10 @@ pub(super) struct Fortran;
 pub(super) const RUNTIME: &str = include_str!("runtime/jp_runtime.f90");
 const FLAGS: &str = "-std=f2008 -O2 -ffp-contract=off -Wall -Wextra -pedantic -Werror";
 /// Names are case-insensitive, so that a temporary t12 must not clash with an argument T12.
-const RESERVED: [&str; 10] = ["code", "dp", "jacobian", "results", "real", "result", "huge", "abs", "given", "found"];
+const RESERVED: [&str; 16] = [
+    "abs", "anint", "cos", "code", "dp", "exp", "found", "given", "huge", "jacobian", "max", "merge", "real", "result",
+    "sin", "sqrt",
+];
 
 const NAMES: Names = Names {
     unary: |function| match function {
@@ -60,7 +62,7 @@ impl Language for Fortran {
 }
 
 impl Syntax for Fortran {
-    fn formula(&self, one: &Recorded, limit: usize) -> Vec<File> {
+    fn printed(&self, one: &Recorded, limit: usize) -> Vec<File> {
         let stem = stem(one);
         let (source, parts) = source(one, limit);
         files_with_parts(&stem, source, &parts)
@@ -138,6 +140,11 @@ impl Syntax for Fortran {
     }
 }
 
+/// The modules of a formula or an element.
+pub(super) fn modules(one: &Recorded) -> Vec<String> {
+    files_of(&Fortran, one).into_iter().map(|(_, text)| text).collect()
+}
+
 /// The file of a module, and those of its parts.
 fn files_with_parts(stem: &str, source: String, parts: &[PartLines]) -> Vec<File> {
     let parts = parts.iter().map(|part| (format!("jp_{stem}_part{}.f90", part.number), part_source(stem, part)));
@@ -148,24 +155,19 @@ fn name_of(field: &Field) -> String {
     unreserved(field.name, &RESERVED)
 }
 
-/// The text of a formula's module, and the parts that its functions call.
+/// The text of its module, and the parts that its functions call.
 fn source(one: &Recorded, limit: usize) -> (String, Vec<PartLines>) {
     let name = stem(one);
-    let body =
-        Body { language: &Fortran, graph: &one.graph, inputs: one.formula.inputs(), names: &one.names, stem: &name };
+    let body = Body { language: &Fortran, graph: &one.graph, inputs: one.inputs(), names: &one.names, stem: &name };
     let mut parts = Vec::new();
     let mut functions = Vec::new();
-    for with_jacobian in one.functions() {
-        let function = Function {
-            name: format!("jp_{name}_{}", function_name(with_jacobian)),
-            outputs: one.formula.outputs(),
-            array: with_jacobian.then(|| Array { name: "jacobian", len: one.graph.jacobian.len(), rows: one.rows() }),
-        };
-        let (lines, more) = body.program(&one.results(with_jacobian), limit, parts.len() + 1);
+    for printed in one.functions() {
+        let (lines, more) = body.program(&one.results(&printed), limit, parts.len() + 1);
         parts.extend(more);
-        functions.push((function.text(&body, &lines), function.name, lines.calls));
+        let text = function(one, &body, &lines, &printed);
+        functions.push((text, format!("jp_{name}_{}", printed.name), lines.calls));
     }
-    let head = [description(one), vec!["The functions give 0, or".into()], refusals(body.inputs, body.graph)].concat();
+    let head = [description(one), vec!["The functions give 0, or".into()], refusals(one)].concat();
     (module_of(&name, &head, &functions), parts)
 }
 
@@ -187,9 +189,9 @@ fn uses<'a>(stem: &str, parts: impl Iterator<Item = &'a usize>) -> String {
     parts.map(|part| format!("    use jp_{stem}_{part}\n")).collect::<Vec<_>>().concat()
 }
 
-fn declared(field: &Field, intent: &str) -> String {
+fn declared(field: &Field) -> String {
     let shape = if field.len() == 1 { String::new() } else { format!("({})", field.len()) };
-    format!("        real(dp), intent({intent}) :: {}{shape}\n", name_of(field))
+    format!("        real(dp), intent(in) :: {}{shape}\n", name_of(field))
 }
 
 /// The temporaries of a function.
@@ -204,66 +206,50 @@ fn temporaries(lines: &Lines) -> String {
     text + "\n"
 }
 
-/// A function of the inputs of a body.
-struct Function<'a> {
-    name: String,
-    outputs: &'static [Field],
-    array: Option<Array<'a>>,
-}
-
-/// An array of results.
-struct Array<'a> {
-    name: &'static str,
-    len: usize,
-    /// Rows of results, each by its first place; all others are 0.
-    rows: Vec<(usize, &'a [Node])>,
-}
-
-impl Function<'_> {
-    fn text(&self, body: &Body, lines: &Lines) -> String {
-        let Self { name, outputs, array } = self;
-        let Body { inputs, graph, .. } = body;
-        let names = inputs.iter().chain(*outputs).map(name_of);
-        let names: Vec<_> = names.chain(array.iter().map(|array| array.name.to_owned())).collect();
-        let mut text = Text::from(format!(
-            "    function {name}( &\n            {}) result(code)\n",
-            names.join(", &\n            ")
-        ));
-        text.push_all(inputs.iter().map(|field| declared(field, "in")));
-        text.push_all(outputs.iter().map(|field| declared(field, "out")));
-        if let Some(Array { name, len, .. }) = array {
-            text.push(format!("        real(dp), intent(out) :: {name}({len})\n"));
-        }
-        text.push("        integer :: code\n");
-        text.push(temporaries(lines));
-        let found = outputs.iter().map(name_of).chain(array.iter().map(|array| array.name.to_owned()));
-        text.push_all(found.map(|name| format!("        {name} = 0.0_dp\n")));
-        text.push_all(inputs.iter().enumerate().map(|(position, field)| refusal(field, position + 1)));
-        text.push_all(lines.text.iter().map(|line| format!("{line}\n")));
-        if let Some(refusal) = graph.refusal {
-            let found = body.text(lines, refusal);
-            text.push(format!(
-                "        code = {} + nint({found})\n        if ({found} > 0.0_dp) return\n",
-                inputs.len()
-            ));
-        }
-        let mut value = graph.value.iter();
-        for field in *outputs {
-            for (k, &node) in value.by_ref().take(field.len()).enumerate() {
-                let place = if field.len() == 1 { name_of(field) } else { format!("{}({})", name_of(field), k + 1) };
-                text.push(format!("        {place} = {}\n", body.text(lines, node)));
-            }
-        }
-        if let Some(Array { name, rows, .. }) = array {
-            for (k, row) in rows {
-                let entries: Vec<_> = row.iter().map(|&node| body.text(lines, node)).collect();
-                let line = format!("        {name}({}:{}) = [{}]", k + 1, k + row.len(), entries.join(", "));
-                text.push(folded(&line, " &").join("\n") + "\n");
-            }
-        }
-        text.push(format!("        code = 0\n    end function {name}\n"));
-        text.finished()
+fn output_name(output: &Output) -> String {
+    match output.shape {
+        Shape::Matrix(..) => output.name.to_owned(),
+        _ => unreserved(output.name, &RESERVED),
     }
+}
+
+fn function(one: &Recorded, body: &Body, lines: &Lines, Function { name, outputs }: &Function) -> String {
+    let (name, inputs) = (format!("jp_{}_{name}", stem(one)), one.inputs());
+    let names: Vec<_> = inputs.iter().map(name_of).chain(outputs.iter().map(output_name)).collect();
+    let mut text =
+        Text::from(format!("    function {name}( &\n            {}) result(code)\n", names.join(", &\n            ")));
+    text.push_all(inputs.iter().map(|field| declared(field)));
+    for output in outputs {
+        let shape = match output.shape {
+            Shape::Number => String::new(),
+            Shape::Vector(len) => format!("({len})"),
+            Shape::Matrix(rows, columns) => format!("({rows}, {columns})"),
+        };
+        text.push(format!("        real(dp), intent(out) :: {}{shape}\n", output_name(output)));
+    }
+    text.push("        integer :: code\n");
+    text.push(temporaries(lines));
+    text.push_all(outputs.iter().map(|output| format!("        {} = 0.0_dp\n", output_name(output))));
+    text.push_all(inputs.iter().enumerate().map(|(position, field)| refusal(field, position + 1)));
+    text.push_all(lines.text.iter().map(|line| format!("{line}\n")));
+    if let Some(refusal) = one.graph.refusal {
+        let found = body.text(lines, refusal);
+        text.push(format!("        code = {} + nint({found})\n        if ({found} > 0.0_dp) return\n", inputs.len()));
+    }
+    for output in outputs {
+        let name = output_name(output);
+        for (row, nodes) in one.rows(output) {
+            let entries: Vec<_> = nodes.iter().map(|&node| body.text(lines, node)).collect();
+            let line = match output.shape {
+                Shape::Number => format!("        {name} = {}", entries[0]),
+                Shape::Vector(_) => format!("        {name} = [{}]", entries.join(", ")),
+                Shape::Matrix(..) => format!("        {name}({}, :) = [{}]", row + 1, entries.join(", ")),
+            };
+            text.push(folded(&line, " &").join("\n") + "\n");
+        }
+    }
+    text.push(format!("        code = 0\n    end function {name}\n"));
+    text.finished()
 }
 
 fn refusal(field: &Field, code: usize) -> String {
@@ -287,7 +273,7 @@ fn part_source(stem: &str, part: &PartLines) -> String {
          \x20   public :: jp_{stem}_part{number}\ncontains\n{head}\n",
         uses(stem, part.lines.calls.iter())
     ));
-    text.push_all(part.inputs.iter().map(|field| declared(field, "in")));
+    text.push_all(part.inputs.iter().map(|field| declared(field)));
     if part.given > 0 {
         text.push(format!("        real(dp), intent(in) :: given({})\n", part.given));
     }
@@ -300,11 +286,12 @@ fn part_source(stem: &str, part: &PartLines) -> String {
 
 fn module(recorded: &[Recorded]) -> String {
     let mut text = Text::from(
-        "! Formulas with their Jacobians, printed by jointproof from the program that it proves.\n!\n\
+        "! Formulas with their Jacobians, and elements, printed by jointproof from the program that it\n\
+         ! proves.\n!\n\
          ! ..._value gives the outputs; ..._jacobian, if in closed form, the outputs and every\n\
-         ! derivative, output by output, each over all inputs in order. The result is 0, or says why\n\
-         ! inputs are refused, as each module tells; the outputs are 0 then. A result that is too large\n\
-         ! for a double is infinite.\n!\n\
+         ! derivative: jacobian(output, input). ..._step gives all matrices of an element: (row, column).\n\
+         ! The result is 0, or says why inputs are refused, as each module tells; the outputs are 0\n\
+         ! then. A result that is too large for a double is infinite.\n!\n\
          ! Compile without fused operations and without -ffast-math: -ffp-contract=off.\nmodule jointproof\n",
     );
     for one in recorded {
@@ -325,7 +312,7 @@ fn makefile(formulas: &[Vec<File>], drivers: &[File]) -> String {
         objects.join(" \\\n    "),
         drivers.join(" ")
     ));
-    // A formula comes after its parts, and each part after those it calls.
+    // A module comes after its parts, and each part after those it calls.
     for files in formulas {
         for pair in files[1..].windows(2) {
             text.push(format!("{}: {}\n", object(&pair[1]), object(&pair[0])));

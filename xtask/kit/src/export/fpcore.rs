@@ -3,7 +3,7 @@
 
 use super::c::NAMES;
 use super::language::{File, Language, Toolchain};
-use super::recorded::{Recorded, Text, bounds, stem};
+use super::recorded::{Recorded, Subject, Text, bounds, stem};
 use jointproof::formula::Field;
 use jointproof::toolkit::graph::{Binary, Node, Op, Relation, Unary};
 
@@ -15,6 +15,9 @@ impl Language for FpCore {
     }
 
     fn refuses(&self, one: &Recorded) -> Option<&'static str> {
+        if matches!(one.subject, Subject::Element(..)) {
+            return Some("its results share operations, and FPCore has an expression for each result alone");
+        }
         let searches = one.graph.ops().iter().any(|op| matches!(op, Op::Search(..)));
         searches.then_some("it searches in a loop, and FPCore has expressions alone")
     }
@@ -34,8 +37,9 @@ fn components(fields: &[Field]) -> Vec<String> {
 }
 
 fn source(one: &Recorded) -> String {
-    let spec = one.formula.spec();
-    let (inputs, outputs) = (components(one.formula.inputs()), components(one.formula.outputs()));
+    let Subject::Formula(formula) = one.subject else { unreachable!("elements are refused") };
+    let spec = formula.spec();
+    let (inputs, outputs) = (components(formula.inputs()), components(formula.outputs()));
     let mut text =
         Text::from(format!("; {}: {}\n; Printed by jointproof; free of conditions (CC0-1.0).\n", spec.id, spec.title));
     for (output, &node) in outputs.iter().zip(&one.graph.value) {
@@ -76,7 +80,7 @@ fn precondition(one: &Recorded) -> String {
         };
         names.iter().flat_map(of).collect::<Vec<_>>()
     };
-    let bounds: Vec<_> = one.formula.inputs().iter().flat_map(bound).collect();
+    let bounds: Vec<_> = one.inputs().iter().flat_map(bound).collect();
     if bounds.is_empty() { String::new() } else { format!("  :pre (and {})\n", bounds.join(" ")) }
 }
 
@@ -150,7 +154,7 @@ fn binary(operation: Binary) -> &'static str {
 
 #[cfg(test)]
 mod tests {
-    use super::super::recorded::record;
+    use super::super::recorded::{element_of, formulas};
     use super::*;
     use jointproof::catalog::find;
     use jointproof::toolkit::measure::Options;
@@ -226,11 +230,12 @@ mod tests {
     }
 
     #[test]
-    fn a_formula_that_searches_is_refused() {
-        let (recorded, _) =
-            record(&["slide_line.closest_parabolic", "slot.friction"].map(|id| find(id).unwrap()), None);
+    fn searches_and_elements_are_refused() {
+        let recorded = formulas(&["slide_line.closest_parabolic", "slot.friction"]);
         let [searches, computes] = [0, 1].map(|k| FpCore.refuses(&recorded[k]));
         assert!(searches.is_some_and(|why| why.contains("it searches in a loop")) && computes.is_none());
+        let why = FpCore.refuses(&element_of("universal")[0]);
+        assert!(why.is_some_and(|why| why.contains("share operations")));
     }
 
     /// The output is parsed and evaluated: at ordinary points it has the bits of the formula.
@@ -238,7 +243,7 @@ mod tests {
     fn expressions_have_the_bits_of_the_formula() {
         for id in ["slot.friction", "coulomb.return_map", "cardan.angles", "interaction.damping", "join.rows"] {
             let formula = find(id).unwrap();
-            let (recorded, _) = record(&[formula], None);
+            let recorded = formulas(&[id]);
             let one = &recorded[0];
             let cores = parsed(&source(one));
             let options = Options { timing_points: 20, ..Options::quick() };

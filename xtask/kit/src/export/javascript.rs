@@ -3,7 +3,7 @@
 use super::c::{Names, common, exact_sum, signed};
 use super::language::{File, Language, Operand, Syntax, Toolchain, files_of};
 use super::program::{Body, Lines, PartLines, folded};
-use super::recorded::{Recorded, Text, bounds, description, stem};
+use super::recorded::{Function, Output, Recorded, Subject, Text, bounds, description, refusals, stem};
 use jointproof::formula::Field;
 use jointproof::toolkit::graph::{Node, Op, Unary};
 
@@ -58,7 +58,7 @@ impl Language for JavaScript {
 }
 
 impl Syntax for JavaScript {
-    fn formula(&self, one: &Recorded, limit: usize) -> Vec<File> {
+    fn printed(&self, one: &Recorded, limit: usize) -> Vec<File> {
         let stem = stem(one);
         let (source, parts) = source(one, limit);
         let mut files = vec![(format!("jp_{stem}.mjs"), source)];
@@ -109,19 +109,19 @@ impl Syntax for JavaScript {
     }
 }
 
-/// The text of a formula's module, and the parts that its functions call.
+/// The text of its module, and the parts that its functions call.
 pub(super) fn source(one: &Recorded, limit: usize) -> (String, Vec<PartLines>) {
     let stem = stem(one);
-    let body =
-        Body { language: &JavaScript, graph: &one.graph, inputs: one.formula.inputs(), names: &one.names, stem: &stem };
+    let body = Body { language: &JavaScript, graph: &one.graph, inputs: one.inputs(), names: &one.names, stem: &stem };
     let mut parts = Vec::new();
     let mut functions = Vec::new();
-    for with_jacobian in one.functions() {
-        let (lines, more) = body.program(&one.results(with_jacobian), limit, parts.len() + 1);
+    for printed in one.functions() {
+        let (lines, more) = body.program(&one.results(&printed), limit, parts.len() + 1);
         parts.extend(more);
-        functions.push((function(one, &body, &lines, with_jacobian), lines.calls));
+        functions.push((function(one, &body, &lines, &printed), lines.calls));
     }
-    let lines: Vec<_> = description(one).iter().map(|line| format!("// {line}").trim_end().to_owned()).collect();
+    let head = [description(one), vec!["refusal is 0, or the only result:".into()], refusals(one)].concat();
+    let lines: Vec<_> = head.iter().map(|line| format!("// {line}").trim_end().to_owned()).collect();
     let mut text = Text::from(lines.join("\n") + "\n");
     text.push(imports(&stem, functions.iter().flat_map(|(_, calls)| calls)));
     text.push(fields(one));
@@ -131,7 +131,7 @@ pub(super) fn source(one: &Recorded, limit: usize) -> (String, Vec<PartLines>) {
 
 fn imports<'a>(stem: &str, parts: impl Iterator<Item = &'a usize>) -> String {
     let parts = parts.map(|part| format!("import {{ part{part} }} from './jp_{stem}_part{part}.mjs';\n"));
-    "import {\n    angle, asin, exactSum, expm1, multiplyAdd, nearestInteger, nearestPlace, norm2, norm3, norm4,\n    powerOfTwo,\n} from './jp_runtime.mjs';\n"
+    "import {\n    angle, asin, exactSum, expm1, multiplyAdd, nearestInteger, nearestPlace, norm2, norm3, norm4,\n    powerOfTwo, refusalOf,\n} from './jp_runtime.mjs';\n"
         .to_owned()
         + &parts.collect::<String>()
 }
@@ -139,7 +139,7 @@ fn imports<'a>(stem: &str, parts: impl Iterator<Item = &'a usize>) -> String {
 /// Inputs and outputs, and the conditions that inputs must satisfy together.
 fn fields(one: &Recorded) -> String {
     let mut text = Text::from("\nexport const inputs = [\n");
-    for field in one.formula.inputs() {
+    for field in one.inputs() {
         let bounds = bounds(field.quantity.domain);
         let bounds =
             bounds.iter().map(|(relation, bound)| format!("(x) => x {relation} {}", JavaScript.number(*bound)));
@@ -148,8 +148,8 @@ fn fields(one: &Recorded) -> String {
         text.push(format!("    {{ name: '{name}', length: {len}, allowed: [{}] }},\n", bounds.join(", ")));
     }
     text.push("];\n\nexport const outputs = [\n");
-    for field in one.formula.outputs() {
-        text.push(format!("    {{ name: '{}', length: {} }},\n", field.name, field.len()));
+    for output in &one.functions()[0].outputs {
+        text.push(format!("    {{ name: '{}', length: {} }},\n", output.name, output.len()));
     }
     text.push("];\n\n// What inputs must be beside that.\nexport const required = [\n");
     for error in &one.graph.refusals {
@@ -159,21 +159,29 @@ fn fields(one: &Recorded) -> String {
     text.finished()
 }
 
-fn function(one: &Recorded, body: &Body, lines: &Lines, with_jacobian: bool) -> String {
+/// A formula gives its value and its Jacobian, an element each of its outputs by its name.
+fn function(one: &Recorded, body: &Body, lines: &Lines, Function { name, outputs }: &Function) -> String {
     let list = |nodes: &[Node]| {
         let entries: Vec<_> = nodes.iter().map(|&node| body.text(lines, node)).collect();
         folded(&format!("        {},", entries.join(", ")), "").join("\n")
     };
-    let (name, jacobian) = if with_jacobian {
-        ("jacobian", format!(", jacobian: [\n{}\n    ]", list(&one.graph.jacobian)))
-    } else {
-        ("value", String::new())
+    let listed = |name: &str, nodes: &[Node]| format!("{name}: [\n{}\n    ]", list(nodes));
+    let lists = match one.subject {
+        Subject::Formula(_) => {
+            let jacobian = (*name == "jacobian").then(|| listed("jacobian", &one.graph.jacobian));
+            [listed("value", &one.graph.value)].into_iter().chain(jacobian).collect::<Vec<_>>()
+        }
+        Subject::Element(..) => outputs.iter().map(|output| listed(output.name, one.nodes(output))).collect(),
     };
-    let refusal = one.graph.refusal.map_or_else(|| "0".to_owned(), |node| body.text(lines, node));
+    let together = one.graph.refusal.map_or_else(String::new, |node| {
+        let code = body.text(lines, node);
+        format!("\n    if ({code} > 0) return {{ refusal: {} + {code} }};", one.inputs().len())
+    });
     format!(
-        "\nexport function {name}(i) {{\n{}\n    return {{ refusal: {refusal}, value: [\n{}\n    ]{jacobian} }};\n}}\n",
+        "\nexport function {name}(i) {{\n    const refused = refusalOf(inputs, i);\n    if (refused) return refused;\n{}{together}\n\
+         \x20   return {{ refusal: 0, {} }};\n}}\n",
         lines.text.join("\n"),
-        list(&one.graph.value)
+        lists.join(", "),
     )
 }
 
@@ -190,10 +198,12 @@ fn part_source(stem: &str, part: &PartLines) -> String {
 
 fn index(recorded: &[Recorded]) -> String {
     let mut text = Text::from(
-        "// Formulas with their Jacobians, printed by jointproof from the program that it proves.\n\
-         // `value(i)` gives the outputs one after the other, `jacobian(i)` every derivative too, output by\n\
-         // output, each over all inputs in order; i has the inputs by name. `refused(formula, i)` says why\n\
-         // inputs are refused. A result that is too large for a number is infinite.\n\n\
+        "// Formulas with their Jacobians, and elements, printed by jointproof from the program that it\n\
+         // proves. `value(i)` gives the outputs one after the other, `jacobian(i)` every derivative too,\n\
+         // output by output, each over all inputs in order; i has the inputs by name. `step(i)` of an\n\
+         // element gives its outputs by their names, matrices row by row. Where inputs are refused,\n\
+         // `refusal` is not 0, and there is no other result; `refused(formula, i)` says why. A result\n\
+         // that is too large for a number is infinite.\n\n\
          export { refused } from './jp_runtime.mjs';\n",
     );
     for one in recorded {
@@ -203,20 +213,24 @@ fn index(recorded: &[Recorded]) -> String {
 }
 
 fn driver(recorded: &[Recorded]) -> String {
-    let formulas: Vec<_> = recorded.iter().map(|one| format!("jp.{}", stem(one))).collect();
+    let formula = |one: &Recorded| {
+        let numbers: usize = one.largest_function().outputs.iter().map(Output::len).sum();
+        format!("[jp.{}, {numbers}]", stem(one))
+    };
+    let formulas: Vec<_> = recorded.iter().map(formula).collect();
     format!(
-        "// Evaluates every formula at the points of points.bin, and writes found.bin.\n\
+        "// Evaluates every formula and every element at the points of points.bin, and writes found.bin.\n\
          import {{ readFileSync, writeFileSync }} from 'node:fs';\nimport * as jp from './jointproof.mjs';\n\n\
          const bytes = readFileSync('points.bin');\nconst points = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);\n\
          const found = [];\nlet at = 0;\nconst formulas = [\n    {},\n];\n\
-         for (const formula of formulas) {{\n    const count = Number(points.getBigUint64(at, true));\n    at += 8;\n\
+         for (const [formula, numbers] of formulas) {{\n    const count = Number(points.getBigUint64(at, true));\n    at += 8;\n\
          \x20   const next = () => points.getFloat64((at += 8) - 8, true);\n\
          \x20   for (let k = 0; k < count; ++k) {{\n        const i = {{}};\n\
          \x20       for (const {{ name, length }} of formula.inputs) {{\n\
          \x20           i[name] = length === 1 ? next() : Array.from({{ length }}, next);\n        }}\n\
-         \x20       const code = jp.refused(formula, i)?.position ?? 0;\n\
-         \x20       const {{ value, jacobian = [] }} = (formula.jacobian ?? formula.value)(i);\n\
-         \x20       found.push(code, ...value, ...jacobian);\n    }}\n}}\n\
+         \x20       const {{ refusal, ...results }} = (formula.step ?? formula.jacobian ?? formula.value)(i);\n\
+         \x20       const all = Object.values(results).flat();\n\
+         \x20       found.push(refusal, ...(refusal > 0 ? Array(numbers).fill(0) : all));\n    }}\n}}\n\
          writeFileSync('found.bin', Buffer.from(new Float64Array(found).buffer));\n",
         formulas.join(",\n    ")
     )

@@ -21,20 +21,15 @@ pub(super) struct Toolchain {
 /// A name and a text.
 pub(super) type File = (String, String);
 
-/// The largest number of lines in a file of a formula.
+/// The largest number of lines in a file.
 const LONGEST: usize = 400;
 
-/// The files of a formula, with its functions split into parts if they are too long for one file.
+/// The files of a formula or an element, with its functions split into parts if they are too long for one file.
 pub(super) fn files_of(language: &dyn Syntax, one: &Recorded) -> Vec<File> {
-    files_within(|limit| language.formula(one, limit))
-}
-
-/// The first files of which none is too long, printed with functions of about so many lines.
-pub(super) fn files_within(print: impl Fn(usize) -> Vec<File>) -> Vec<File> {
     let limits = [usize::MAX, 100, 60, 30, 15, 5];
     let mut files = Vec::new();
     for limit in limits {
-        files = print(limit);
+        files = language.printed(one, limit);
         if files.iter().all(|(_, text)| text.lines().count() <= LONGEST) {
             break;
         }
@@ -47,7 +42,7 @@ pub(super) trait Language {
     /// All files of an export, by their names.
     fn files(&self, recorded: &[Recorded]) -> Vec<File>;
 
-    /// Why a formula cannot be written in it.
+    /// Why a formula or an element cannot be written in it.
     fn refuses(&self, _: &Recorded) -> Option<&'static str> {
         None
     }
@@ -58,8 +53,8 @@ pub(super) trait Language {
 
 /// A language in which functions consist of statements.
 pub(super) trait Syntax {
-    /// The files of one formula; the first one has functions of about `limit` lines at most.
-    fn formula(&self, one: &Recorded, limit: usize) -> Vec<File>;
+    /// The files of a formula or an element; the first one has functions of about `limit` lines at most.
+    fn printed(&self, one: &Recorded, limit: usize) -> Vec<File>;
 
     /// A constant.
     fn number(&self, x: f64) -> String;
@@ -69,6 +64,11 @@ pub(super) trait Syntax {
 
     /// An operation; if it spans several lines, the caller indents them.
     fn operation(&self, op: &Op, operand: Operand) -> String;
+
+    /// The result of an operation under a name.
+    fn statement(&self, name: &str, is_answer: bool, op: &Op, operand: Operand) -> String {
+        self.set(name, is_answer, &self.operation(op, operand))
+    }
 
     /// A name for a result, set once.
     fn set(&self, name: &str, is_answer: bool, value: &str) -> String;

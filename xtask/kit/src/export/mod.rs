@@ -1,7 +1,9 @@
-//! `export`: the verified program of a formula in another language, with a check that it is the same.
+//! `export`: the verified program of a formula or an element in another language, with a check that it is the same.
 
+mod amalgam;
 mod c;
 mod check;
+mod element;
 mod fortran;
 mod fpcore;
 mod javascript;
@@ -18,27 +20,30 @@ mod speed;
 
 use crate::console::{green, print, red, say};
 use crate::files;
-use crate::outcome::{Outcome, verdict};
+use crate::outcome::{Outcome, Usage, verdict};
 use crate::project::Project;
-use crate::selection::Selection;
+use crate::selection::{self, Selection};
+pub(crate) use amalgam::{Download, downloads};
 use anyhow::ensure;
 use language::Language;
-use recorded::record;
+use recorded::{Recorded, Subject, record};
 pub(crate) use script::{Script, runtime_script, script};
 use std::path::PathBuf;
 
-/// Write formulas as programs in other languages
+/// Write formulas and elements as programs in other languages
 ///
-/// The exported program has the same operations as the formula in `f64`, in the same order, with all branches. --check compiles
+/// The exported program has the same operations as the formula or the element in `f64`, in the same order, with all branches. --check compiles
 /// it and compares every bit of its results with Rust. Compile it without fused operations (-ffp-contract=off), since they
 /// change the results.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
-  {command} export --lang c --out jp                      all formulas, a header, a Makefile
+  {command} export --lang c --out jp                      everything, a header, a Makefile
   {command} export --lang fortran --out jp --filter '{family}.*'  one family
   {command} export --lang js --out jp --check             and compare every bit
   {command} export --lang c --out jp --speed              and time it, compared with Rust
-  {command} export --shell uel-ujoint --out jp            an element for Abaqus, in one file")]
+  {command} export --lang c --out jp --element slot       an element, with and without friction
+  {command} export --shell uel --element slot --out jp    an element for Abaqus, in one file
+  {command} export --shell uel --element slot --element hinge --fixed --out jp")]
 pub(crate) struct Arguments {
     /// The language
     #[arg(long, value_enum, required_unless_present = "shell")]
@@ -46,6 +51,12 @@ pub(crate) struct Arguments {
     /// A user routine in Fortran in one file, with the functions that it calls
     #[arg(long, value_enum, conflicts_with_all = ["lang", "filter", "check", "speed"])]
     shell: Option<shell::Shell>,
+    /// An element, by its identifier, without and with friction; in a shell, several are types U1, U2 and so on
+    #[arg(long, value_name = "ID", conflicts_with = "filter")]
+    element: Vec<String>,
+    /// The routine in fixed form
+    #[arg(long, requires = "shell")]
+    fixed: bool,
     /// The output folder; it is created if necessary
     #[arg(long, value_name = "FOLDER")]
     out: PathBuf,
@@ -87,27 +98,29 @@ impl Name {
 }
 
 pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
-    std::fs::create_dir_all(&arguments.out)?;
+    let elements = arguments.element.iter().map(|id| selection::element(project, id));
+    let elements: Vec<_> = elements.collect::<Result<_, _>>()?;
     if let Some(shell) = arguments.shell {
-        print(&shell::write(project, shell, &arguments.out)?)?;
+        if shell != shell::Shell::Uel && !elements.is_empty() {
+            return Err(Usage("--element: elements are routines UEL: --shell uel".into()).into());
+        }
+        print(&shell::write(project, shell, &elements, arguments.fixed, &arguments.out)?)?;
+        return Ok(verdict(true));
     }
     let Some(lang) = arguments.lang else { return Ok(verdict(true)) };
-    let formulas = arguments.selection.formulas(project)?;
-    let (recorded, not_recorded) = record(&formulas, Some(project));
+    let (formulas, elements) =
+        if elements.is_empty() { arguments.selection.formulas_and_elements(project)? } else { (Vec::new(), elements) };
+    let formulas = formulas.into_iter().map(Subject::Formula);
+    let subjects: Vec<_> = formulas.chain(elements.into_iter().flat_map(Subject::forms)).collect();
+    let recorded = recorded_in(lang.language(), project, &subjects);
+    std::fs::create_dir_all(&arguments.out)?;
     let language = lang.language();
-    let (recorded, refused): (Vec<_>, Vec<_>) = recorded.into_iter().partition(|one| language.refuses(one).is_none());
-    let not_recorded = not_recorded.into_iter().map(|(formula, why)| (formula, why.to_string()));
-    let refused = refused.iter().filter_map(|one| Some((one.formula, language.refuses(one)?.to_owned())));
-    for (formula, why) in not_recorded.chain(refused) {
-        say(&format!("not exported: {}: {why}", formula.spec().id));
-    }
     let mut lines = 0;
     for (name, text) in language.files(&recorded) {
         lines += text.lines().count();
         files::write(&arguments.out.join(name), &text)?;
     }
-    let folder = arguments.out.display();
-    print(&format!("{} of {} formulas, {lines} lines in {folder}\n", recorded.len(), formulas.len()))?;
+    print(&format!("{}, {lines} lines in {}\n", counted(&recorded, &subjects), arguments.out.display()))?;
     if arguments.speed {
         ensure!(lang == Name::C, "--speed takes the time of C: --lang c");
         speed::compare(project, &arguments.out, &recorded)?;
@@ -125,9 +138,34 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     Ok(verdict(well))
 }
 
+/// What can be written in a language; of the rest it is said why not.
+fn recorded_in(language: &dyn Language, project: &Project, subjects: &[Subject]) -> Vec<Recorded> {
+    let (recorded, not_recorded) = record(subjects, Some(project));
+    let (recorded, refused): (Vec<_>, Vec<_>) = recorded.into_iter().partition(|one| language.refuses(one).is_none());
+    let not_recorded = not_recorded.into_iter().map(|(subject, why)| (subject, why.to_string()));
+    let refused = refused.iter().filter_map(|one| Some((one.subject, language.refuses(one)?.to_owned())));
+    for (subject, why) in not_recorded.chain(refused) {
+        say(&format!("not exported: {subject}: {why}"));
+    }
+    recorded
+}
+
+/// How many of those asked for there are: `117 of 120 formulas, 20 of 22 elements`.
+fn counted(recorded: &[Recorded], subjects: &[Subject]) -> String {
+    let is_formula = |subject: &Subject| matches!(subject, Subject::Formula(_));
+    let count = |formulas: bool| {
+        let asked = subjects.iter().filter(|subject| is_formula(subject) == formulas).count();
+        let found = recorded.iter().filter(|one| is_formula(&one.subject) == formulas).count();
+        (asked, found, if formulas { "formulas" } else { "elements, without and with friction" })
+    };
+    let counts = [true, false].map(count).into_iter().filter(|(asked, ..)| *asked > 0);
+    counts.map(|(asked, found, what)| format!("{found} of {asked} {what}")).collect::<Vec<_>>().join(", ")
+}
+
 /// The files of an export, for tests of code that calls it.
 #[cfg(test)]
 pub(crate) fn files_in(lang: &str, formulas: &[&'static dyn jointproof::catalog::AnyFormula]) -> Vec<(String, String)> {
     let name = <Name as clap::ValueEnum>::from_str(lang, false).expect("a language is named");
-    name.language().files(&record(formulas, None).0)
+    let subjects: Vec<_> = formulas.iter().map(|&formula| Subject::Formula(formula)).collect();
+    name.language().files(&record(&subjects, None).0)
 }

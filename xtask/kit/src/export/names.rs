@@ -1,19 +1,26 @@
 //! Names temporaries after results of other formulas.
 
-use jointproof::catalog::AnyFormula;
+use super::recorded::Subject;
 use jointproof::formula::Field;
 use jointproof::toolkit::graph::{Graph, Node};
 use std::collections::{HashMap, HashSet};
 
-/// A formula and its graph.
-type Known = (&'static dyn AnyFormula, Graph);
+/// A formula or an element and its graph.
+type Known = (Subject, Graph);
 
 /// The names in one formula, from others whose inputs have the same names.
-pub(super) fn of((formula, graph): &Known, all: &[Known]) -> HashMap<Node, String> {
+///
+/// There are none in an element, whose operations are simplified together.
+pub(super) fn of((subject, graph): &Known, all: &[Known]) -> HashMap<Node, String> {
+    let Subject::Formula(formula) = subject else { return HashMap::new() };
     let fields = formula.inputs().iter().chain(formula.outputs());
     let mut taken: HashSet<_> = fields.map(|field| field.name.to_lowercase()).collect();
     let mut names = HashMap::new();
-    for (other, other_graph) in all.iter().filter(|(other, _)| other.spec().id != formula.spec().id) {
+    for (other, other_graph) in all {
+        let Subject::Formula(other) = other else { continue };
+        if other.spec().id == formula.spec().id {
+            continue;
+        }
         let Some(inputs) = positions(other.inputs(), formula.inputs()) else { continue };
         let found = other_graph.value_within(graph, &inputs);
         for (name, node) in components(other.outputs()).zip(found) {
@@ -56,7 +63,7 @@ mod tests {
     fn what_another_formula_computes_has_its_name() {
         let all = ["slot.friction", "slot.contact_force"].map(|id| {
             let formula = find(id).unwrap();
-            (formula, formula.graph().unwrap())
+            (Subject::Formula(formula), formula.graph().unwrap())
         });
         let names = of(&all[0], &all);
         assert_eq!(names.values().collect::<Vec<_>>(), ["fc_"]);
@@ -71,7 +78,7 @@ mod tests {
 
     fn known(id: &str) -> Known {
         let formula = find(id).unwrap();
-        (formula, formula.graph().unwrap())
+        (Subject::Formula(formula), formula.graph().unwrap())
     }
 
     /// Pretends that this formula, which has the same inputs, has the contact force or one of its operands as its value.
@@ -79,7 +86,7 @@ mod tests {
         let (_, mut graph) = known("slot.contact_force");
         let node = graph.needed(&graph.value).into_iter().find(|&node| of_force(&graph, node)).unwrap();
         graph.value = vec![node];
-        (find(id).unwrap(), graph)
+        (Subject::Formula(find(id).unwrap()), graph)
     }
 
     #[test]
@@ -99,7 +106,7 @@ mod tests {
     fn no_two_results_have_one_name() {
         let forces = known("join.nodal_forces");
         // Pretends that another formula with the same inputs has the forces of JOIN on b as its outputs.
-        let mut whole = (find("join.geometric_stiffness").unwrap(), forces.1.clone());
+        let mut whole = (Subject::Formula(find("join.geometric_stiffness").unwrap()), forces.1.clone());
         whole.1.value.drain(..6);
         // Pretends that the terms are the components of that force.
         let mut terms = whole.clone();

@@ -3,7 +3,9 @@
 use super::c::{Names, common, signed};
 use super::language::{File, Language, Toolchain};
 use super::program::folded;
-use super::recorded::{Recorded, Text, bounds, description, refusals, stem, unreserved};
+use super::recorded::{
+    Function, Recorded, Shape, Subject, Text, bounds, description, refusals, required, stem, unreserved,
+};
 use jointproof::connector::ujoint::Constraint;
 use jointproof::element::offset::Arm;
 use jointproof::element::{cross, line};
@@ -12,7 +14,7 @@ use jointproof::toolkit::graph::{Node, Op, Unary};
 
 pub(super) struct NumPy;
 
-const RUNTIME: &str = include_str!("runtime/jp_runtime.py");
+pub(super) const RUNTIME: &str = include_str!("runtime/jp_runtime.py");
 const DRIVER: &str = include_str!("runtime/driver.py");
 /// User functions for Exudyn, and the formulas they call.
 const EXUDYN: &str = include_str!("runtime/exudyn_ujoint.py");
@@ -49,7 +51,7 @@ impl Language for NumPy {
             ("driver.py".to_owned(), DRIVER.to_owned()),
         ];
         files.extend(recorded.iter().map(|one| (format!("jp_{}.py", stem(one)), source(one))));
-        if EXUDYN_CALLS.iter().all(|id| recorded.iter().any(|one| one.formula.spec().id == *id)) {
+        if EXUDYN_CALLS.iter().all(|id| recorded.iter().any(|one| one.subject.spec().id == *id)) {
             files.push(("exudyn_ujoint.py".to_owned(), EXUDYN.to_owned()));
         }
         files
@@ -63,10 +65,11 @@ impl Language for NumPy {
 
 fn index(recorded: &[Recorded]) -> String {
     let mut text = Text::from(
-        "\"\"\"Formulas with their Jacobians over arrays, printed by jointproof from the program that it proves.\n\n\
+        "\"\"\"Formulas with their Jacobians, and elements, over arrays, printed by jointproof from the program that it proves.\n\n\
          `jacobian(f1, e1a, ...)` of each module gives the components of the value, an array of shape (m, ...), and the\n\
          Jacobian, of shape (m, n, ...), for inputs that broadcast against each other; a vector has its components along\n\
-         its first axis. `refused(...)` gives 0, or why inputs are refused.\n\"\"\"\n\n",
+         its first axis. `step(...)` of an element gives its outputs and matrices, of shapes (m, ...) and (m, n, ...), in the\n\
+         order in which its module tells them. They raise ValueError where inputs are refused; `refused(...)` gives 0, or why inputs are refused.\n\"\"\"\n\n",
     );
     for one in recorded {
         text.push(format!("import jp_{0} as {0}\n", stem(one)));
@@ -83,40 +86,52 @@ fn name_of(field: &Field) -> String {
     unreserved(field.name, &RESERVED)
 }
 
-fn source(one: &Recorded) -> String {
+pub(super) fn source(one: &Recorded) -> String {
     let mut text = Text::from(format!("r\"\"\"{}\n\n0 is returned by refused(...), or\n", description(one).join("\n")));
-    text.push_all(refusals(one.formula.inputs(), &one.graph).iter().map(|line| format!("{line}\n")));
+    text.push_all(refusals(one).iter().map(|line| format!("{line}\n")));
     text.push(
-        "\"\"\"\n\nimport numpy as np\n\nfrom jp_runtime import (\n    angle, arrays, asin, code, exact_sum, expm1, multiply_add, nearest_integer, nearest_place, \
-         norm2, norm3,\n    norm4, over_arrays, power_of_two, stacked,\n)\n\n",
+        "\"\"\"\n\nimport numpy as np\n\nfrom jp_runtime import (\n    accepted, angle, arrays, asin, code, exact_sum, expm1, multiply_add, nearest_integer, nearest_place, \
+         norm2,\n    norm3, norm4, over_arrays, power_of_two, stacked,\n)\n\n",
     );
-    let fields = |name: &str, fields: &[Field]| {
-        let fields: Vec<_> = fields.iter().map(|field| format!("    ('{}', {}),\n", field.name, field.len())).collect();
-        format!("{name} = [\n{}]\n", fields.concat())
-    };
-    text.push(fields("INPUTS", one.formula.inputs()));
-    text.push(fields("OUTPUTS", one.formula.outputs()));
-    let graph = &one.graph;
-    text.push(function(one, "value", &[&graph.value]));
-    if !graph.jacobian.is_empty() {
-        text.push(function(one, "jacobian", &[&graph.value, &graph.jacobian]));
+    let functions = one.functions();
+    let inputs: Vec<_> = one.inputs().iter().map(|field| (field.name, field.len())).collect();
+    let outputs: Vec<_> = functions[0].outputs.iter().map(|output| (output.name, output.len())).collect();
+    for (name, all) in [("INPUTS", inputs), ("OUTPUTS", outputs)] {
+        let lines: Vec<_> = all.iter().map(|(name, len)| format!("    ('{name}', {len}),\n")).collect();
+        text.push(format!("{name} = [\n{}]\n", lines.concat()));
     }
+    let texts = required(one).into_iter().map(|text| format!("    {text:?},\n")).collect::<String>();
+    text.push(format!("REQUIRED = [\n{texts}]\n"));
+    text.push_all(functions.iter().map(|printed| function(one, printed)));
     text.push(refused(one));
     text.finished()
 }
 
-/// A function that returns results, with each list of them stacked.
-fn function(one: &Recorded, name: &str, results: &[&[Node]]) -> String {
-    let inputs: Vec<_> = one.formula.inputs().iter().map(name_of).collect();
-    let all = results.concat();
-    let rows = one.graph.value.len();
-    let lists = results.iter().enumerate().map(|(k, nodes)| {
+/// A function that returns results: of a formula the value, and the Jacobian, of an element each output.
+fn function(one: &Recorded, function: &Function) -> String {
+    let Function { name, outputs } = function;
+    let inputs: Vec<_> = one.inputs().iter().map(name_of).collect();
+    let (value, jacobian) = (&one.graph.value[..], &one.graph.jacobian[..]);
+    let lists: Vec<(&[Node], Option<usize>)> = match one.subject {
+        Subject::Formula(_) if outputs.iter().any(|output| matches!(output.shape, Shape::Matrix(..))) => {
+            vec![(value, None), (jacobian, Some(value.len()))]
+        }
+        Subject::Formula(_) => vec![(value, None)],
+        Subject::Element(..) => {
+            let rows = |shape| if let Shape::Matrix(rows, _) = shape { Some(rows) } else { None };
+            outputs.iter().map(|output| (one.nodes(output), rows(output.shape))).collect()
+        }
+    };
+    let stacked = lists.iter().map(|(nodes, rows)| {
         let texts: Vec<_> = nodes.iter().map(|&node| text(one, node)).collect();
-        let rows = if k == 0 { String::new() } else { format!(", rows={rows}") };
+        let rows = rows.map_or(String::new(), |rows| format!(", rows={rows}"));
         format!("stacked(given, [{}]{rows})", texts.join(", "))
     });
-    let lists: Vec<_> = lists.collect();
-    format!("{}{}{}\n", head(name, &inputs), lines(one, &all), short(&format!("    return ({})", lists.join(", "))))
+    let stacked: Vec<_> = stacked.collect();
+    let all: Vec<Node> = lists.iter().flat_map(|(nodes, _)| *nodes).copied().collect();
+    let accepted = short(&format!("    accepted(refused({}), given, REQUIRED)", inputs.join(", ")));
+    let returned = short(&format!("    return ({})", stacked.join(", ")));
+    format!("{}{accepted}\n{}{returned}\n", head(name, &inputs), lines(one, &all))
 }
 
 /// The head of a function whose inputs are lists of components.
@@ -133,7 +148,7 @@ fn short(line: &str) -> String {
 /// The inputs by name, and a line for every operation that these results need.
 fn lines(one: &Recorded, results: &[Node]) -> String {
     let mut lines = Vec::new();
-    for (k, field) in one.formula.inputs().iter().enumerate() {
+    for (k, field) in one.inputs().iter().enumerate() {
         let name = name_of(field);
         lines.push(if field.len() == 1 {
             format!("    [{name}] = given[{k}]\n")
@@ -152,7 +167,7 @@ fn lines(one: &Recorded, results: &[Node]) -> String {
 /// The text of a result where it is used.
 fn text(one: &Recorded, node: Node) -> String {
     match one.graph.op(node) {
-        Op::Input(k) => input(one.formula.inputs(), *k),
+        Op::Input(k) => input(one.inputs(), *k),
         Op::Number(bits) => match f64::from_bits(*bits) {
             x if x.is_infinite() => {
                 if x > 0.0 {
@@ -192,8 +207,8 @@ fn operation(one: &Recorded, node: Node) -> String {
 }
 
 fn refused(one: &Recorded) -> String {
-    let inputs: Vec<_> = one.formula.inputs().iter().map(name_of).collect();
-    let bounds = one.formula.inputs().iter().map(|field| {
+    let inputs: Vec<_> = one.inputs().iter().map(name_of).collect();
+    let bounds = one.inputs().iter().map(|field| {
         let bounds: Vec<_> = bounds(field.quantity.domain)
             .iter()
             .map(|(relation, bound)| format!("lambda x: x {relation} {bound:?}"))
@@ -209,24 +224,19 @@ fn refused(one: &Recorded) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::recorded::record;
+    use super::super::recorded::formulas;
     use super::*;
-    use jointproof::catalog::find;
 
     #[test]
     fn the_module_names_every_formula() {
-        let formulas = ["coulomb.yield", "slot.contact_force"].map(|id| find(id).unwrap());
-        let files = NumPy.files(&record(&formulas, None).0);
+        let files = NumPy.files(&formulas(&["coulomb.yield", "slot.contact_force"]));
         let named = |text: &str| text.contains("FORMULAS = [\n    coulomb_yield,\n    slot_contact_force,\n]\n");
         assert_eq!(files.iter().filter(|(_, text)| named(text)).count(), 1);
     }
 
     #[test]
     fn the_joint_for_exudyn_comes_with_all_formulas_that_it_calls() {
-        let files = |ids: &[&str]| {
-            let formulas: Vec<_> = ids.iter().map(|id| find(id).unwrap()).collect();
-            NumPy.files(&record(&formulas, None).0)
-        };
+        let files = |ids: &[&str]| NumPy.files(&formulas(ids));
         let printed = |files: &[File]| files.iter().any(|(name, _)| name == "exudyn_ujoint.py");
         let all = files(&EXUDYN_CALLS);
         assert!(printed(&all) && !printed(&files(&EXUDYN_CALLS[1..])));

@@ -1,12 +1,12 @@
 //! The points at which an export is compared, and the results of Rust there.
 
-use super::recorded::Recorded;
+use super::recorded::{Recorded, Subject};
 use jointproof::Error;
-use jointproof::formula::Field;
+use jointproof::formula::proof::Case;
 use jointproof::toolkit::measure::Options;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
-/// A point of a formula, with the result of Rust.
+/// A point, with the result of Rust.
 pub(super) struct Point {
     pub(super) name: String,
     pub(super) inputs: Vec<f64>,
@@ -15,7 +15,7 @@ pub(super) struct Point {
 
 /// The result of Rust at a point.
 pub(super) enum Expected {
-    /// Value and Jacobian.
+    /// The outputs of the function with all results.
     Results(Vec<f64>),
     /// The inputs are rejected with this code.
     Refused(u32),
@@ -23,32 +23,47 @@ pub(super) enum Expected {
     TooLarge,
 }
 
-/// The points of every formula: all golden cases, valid or not, one on each kink, and random ones.
+/// The points of each: all cases, valid or not, one on each kink of a formula, and random ones.
 pub(super) fn all(recorded: &[Recorded], samples: usize) -> Vec<Vec<Point>> {
     recorded.par_iter().map(|one| of(one, samples)).collect()
 }
 
 fn of(one: &Recorded, samples: usize) -> Vec<Point> {
-    let formula = one.formula;
-    let point = |name, inputs: Vec<f64>| {
-        let expected = match formula.value_and_closed_jacobian(&inputs) {
-            Ok((value, jacobian)) => Expected::Results([value, jacobian].concat()),
+    let point = |(name, inputs): (String, Vec<f64>)| {
+        let expected = match results(one, &inputs) {
+            Ok(results) => Expected::Results(results),
             Err(error) => code(one, &error).map_or(Expected::TooLarge, Expected::Refused),
         };
         Point { name, inputs, expected }
     };
-    let cases = formula.golden_cases().into_iter().map(|case| point(case.id, case.inputs));
+    let named = |case: Case<Vec<f64>>| (case.id, case.inputs);
+    let formula = match one.subject {
+        Subject::Formula(formula) => formula,
+        Subject::Element(element, rubs) => {
+            return element.cases(rubs, samples).into_iter().map(named).map(point).collect();
+        }
+    };
     let options = Options { timing_points: samples, ..Options::quick() };
     let random = formula.timing_inputs(&options);
-    let count = formula.inputs().iter().map(Field::len).sum();
-    let random = random.chunks(count).enumerate().map(|(k, inputs)| point(format!("random {k}"), inputs.to_vec()));
-    let kinks = formula.kinks().into_iter().map(|kink| point(format!("kink {}", kink.condition), kink.at));
-    cases.chain(kinks).chain(random).collect()
+    let random = random.chunks(one.row()).enumerate().map(|(k, inputs)| (format!("random {k}"), inputs.to_vec()));
+    let kinks = formula.kinks().into_iter().map(|kink| (format!("kink {}", kink.condition), kink.at));
+    formula.golden_cases().into_iter().map(named).chain(kinks).chain(random).map(point).collect()
+}
+
+/// The results of Rust.
+fn results(one: &Recorded, inputs: &[f64]) -> Result<Vec<f64>, Error> {
+    match one.subject {
+        Subject::Formula(formula) => {
+            let (value, jacobian) = formula.value_and_closed_jacobian(inputs)?;
+            Ok([value, jacobian].concat())
+        }
+        Subject::Element(element, rubs) => element.value(inputs, rubs),
+    }
 }
 
 /// The return code of an error: the position of the input, or of a joint condition after all inputs.
 fn code(one: &Recorded, error: &Error) -> Option<u32> {
-    let inputs = one.formula.inputs();
+    let inputs = one.inputs();
     let together = || one.graph.refusals.iter().position(|known| known.is_alike(error)).map(|k| inputs.len() + k + 1);
     let code = match error {
         Error::NonFinite { name, .. } | Error::OutOfRange { name, .. } => {
@@ -58,19 +73,19 @@ fn code(one: &Recorded, error: &Error) -> Option<u32> {
         }
         _ => together(),
     };
-    code.map(|code| u32::try_from(code).expect("a formula has few inputs"))
+    code.map(|code| u32::try_from(code).expect("there are few inputs"))
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::recorded::record;
+    use super::super::recorded::formulas;
     use super::{Expected, all, code};
     use jointproof::catalog::find;
 
     #[test]
     fn golden_cases_kinks_and_random_points_are_compared() {
         let formula = find("slot.friction").unwrap();
-        let (recorded, _) = record(&[formula], None);
+        let recorded = formulas(&[formula.spec().id]);
         let points = all(&recorded, 3).swap_remove(0);
         let names: Vec<_> = points.iter().map(|point| point.name.as_str()).collect();
         let cases: Vec<_> = formula.golden().cases.into_iter().map(|case| case.id).collect();
@@ -103,7 +118,7 @@ mod tests {
     #[test]
     fn an_input_that_is_refused_is_told_by_its_position() {
         let formula = find("slot.friction").unwrap();
-        let (recorded, _) = record(&[formula], None);
+        let recorded = formulas(&[formula.spec().id]);
         let valid = formula.timing_inputs(&jointproof::toolkit::measure::Options {
             timing_points: 1,
             ..jointproof::toolkit::measure::Options::quick()
@@ -121,7 +136,7 @@ mod tests {
     #[test]
     fn what_is_required_of_all_inputs_has_a_code_behind_theirs() {
         let formula = find("slide_line.contact_area_parabolic").unwrap();
-        let (recorded, _) = record(&[formula], None);
+        let recorded = formulas(&[formula.spec().id]);
         let (inputs, refusals) = (formula.inputs().len(), &recorded[0].graph.refusals);
         assert!(refusals.len() > 1, "{refusals:?}");
         let codes: Vec<_> = refusals.iter().filter_map(|error| code(&recorded[0], error)).collect();

@@ -138,10 +138,9 @@ impl Printed<'_> {
 
     fn compute(&mut self, node: Node, indent: usize) {
         let Body { language, graph, .. } = *self.body;
-        let value = language.operation(graph.op(node), &|operand| self.text(operand));
-        let name = self.named(node);
-        let is_answer = graph.is_answer(node);
-        self.line(indent, &language.set(&name, is_answer, &value));
+        let (name, is_answer) = (self.named(node), graph.is_answer(node));
+        let statement = language.statement(&name, is_answer, graph.op(node), &|operand| self.text(operand));
+        self.line(indent, &statement);
     }
 
     fn choose(&mut self, condition: Node, results: &[[Node; 3]], sides: [&[Step]; 2], indent: usize) {

@@ -1,21 +1,100 @@
-//! A formula to be exported, and its parts common to all languages: names, description, and the inputs it rejects.
+//! A formula or an element to be exported, and its parts common to all languages: names, description, and the inputs it rejects.
 
+use super::element;
 use super::names;
 use crate::project::Project;
 use crate::{files, prove};
 use jointproof::Error;
-use jointproof::catalog::AnyFormula;
-use jointproof::formula::Field;
+use jointproof::catalog::{AnyElement, AnyFormula};
 use jointproof::formula::quantity::Domain;
+use jointproof::formula::{Bounds, Field, Spec};
 use jointproof::toolkit::bound;
-use jointproof::toolkit::graph::{Graph, Node, NotRecorded};
+use jointproof::toolkit::graph::{Extremes, Graph, Node, NotRecorded};
 use rayon::iter::{Either, IntoParallelRefIterator, ParallelIterator};
 use std::collections::HashMap;
+use std::fmt;
 use std::path::Path;
 
-/// A formula that can be exported.
+/// What is exported.
+#[derive(Clone, Copy)]
+pub(super) enum Subject {
+    Formula(&'static dyn AnyFormula),
+    /// An element, and whether it has friction.
+    Element(&'static dyn AnyElement, bool),
+}
+
+impl Subject {
+    /// An element without friction, and with friction if it can have any.
+    pub(super) fn forms(element: &'static dyn AnyElement) -> Vec<Self> {
+        let with_friction = (!element.layout().contact.is_empty()).then_some(Self::Element(element, true));
+        [Self::Element(element, false)].into_iter().chain(with_friction).collect()
+    }
+
+    pub(super) fn spec(self) -> Spec {
+        match self {
+            Self::Formula(formula) => formula.spec(),
+            Self::Element(element, _) => element.spec(),
+        }
+    }
+
+    pub(super) fn inputs(self) -> &'static [Field] {
+        match self {
+            Self::Formula(formula) => formula.inputs(),
+            Self::Element(element, rubs) => element.inputs(rubs),
+        }
+    }
+
+    /// `slot_constraint` of the formula `slot.constraint`, `element_slot_rubbing` of the element SLOT with friction.
+    pub(super) fn stem(self) -> String {
+        let id = self.spec().id;
+        match self {
+            Self::Formula(_) => id.replace('.', "_"),
+            Self::Element(_, rubs) => format!("element_{id}_{}", if rubs { "rubbing" } else { "smooth" }),
+        }
+    }
+
+    fn graph(self) -> Result<Graph, NotRecorded> {
+        match self {
+            Self::Formula(formula) => formula.graph(),
+            Self::Element(element, rubs) => element.graph(rubs, Extremes::Joined),
+        }
+    }
+
+    /// Its bounds of η in words.
+    fn accuracy(self, project: Option<&Project>) -> String {
+        match (self, project) {
+            (Self::Formula(formula), Some(project)) => prove::accuracy(project, formula, None),
+            (Self::Formula(formula), None) => bound::accuracy(&formula.spec(), None, [None; 2]),
+            (Self::Element(element, _), _) => {
+                let (Bounds { value, .. }, by) = element.spec().bounds();
+                format!("every number: η ≤ {value}, measured{by}")
+            }
+        }
+    }
+
+    /// The path of its golden file below the folder of those.
+    pub(super) fn golden(self) -> String {
+        let id = self.spec().id;
+        match self {
+            Self::Formula(_) => format!("{id}.json"),
+            Self::Element(..) => format!("elements/{id}.json"),
+        }
+    }
+}
+
+impl fmt::Display for Subject {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let id = self.spec().id;
+        match self {
+            Self::Formula(_) => f.write_str(id),
+            Self::Element(_, rubs) => write!(f, "element {id} {} friction", if *rubs { "with" } else { "without" }),
+        }
+    }
+}
+
+/// What can be exported, with its operations.
 pub(super) struct Recorded {
-    pub(super) formula: &'static dyn AnyFormula,
+    pub(super) subject: Subject,
     pub(super) graph: Graph,
     /// Temporaries that are results of other formulas, by the names they have there.
     pub(super) names: HashMap<Node, String>,
@@ -25,24 +104,61 @@ pub(super) struct Recorded {
     accuracy: String,
 }
 
-/// The graphs of formulas, and the formulas without one. The golden files of a project are identified by their checksums.
-pub(super) fn record(
-    formulas: &[&'static dyn AnyFormula],
-    project: Option<&Project>,
-) -> (Vec<Recorded>, Vec<(&'static dyn AnyFormula, NotRecorded)>) {
-    let of = |&formula: &&'static dyn AnyFormula| match formula.graph() {
-        Ok(graph) => Either::Left((formula, graph)),
-        Err(why) => Either::Right((formula, why)),
+/// A function that is printed, and its outputs in the order of its arguments.
+pub(super) struct Function {
+    pub(super) name: &'static str,
+    pub(super) outputs: Vec<Output>,
+}
+
+/// An output of a function.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Output {
+    pub(super) name: &'static str,
+    pub(super) shape: Shape,
+    /// The place of its first number among the results of the graph.
+    pub(super) first: usize,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Shape {
+    Number,
+    Vector(usize),
+    /// Rows and columns.
+    Matrix(usize, usize),
+}
+
+impl Output {
+    pub(super) fn len(&self) -> usize {
+        match self.shape {
+            Shape::Number => 1,
+            Shape::Vector(len) => len,
+            Shape::Matrix(rows, columns) => rows * columns,
+        }
+    }
+}
+
+/// Outputs of these shapes, one after the other.
+pub(super) fn placed(shapes: impl IntoIterator<Item = (&'static str, Shape)>) -> Vec<Output> {
+    let mut first = 0;
+    let place = |(name, shape)| {
+        let output = Output { name, shape, first };
+        first += output.len();
+        output
     };
-    let (known, refused): (Vec<_>, Vec<_>) = formulas.par_iter().partition_map(of);
+    shapes.into_iter().map(place).collect()
+}
+
+/// The graphs of formulas and elements, and those without one. The golden files of a project are identified by their checksums.
+pub(super) fn record(subjects: &[Subject], project: Option<&Project>) -> (Vec<Recorded>, Vec<(Subject, NotRecorded)>) {
+    let of = |&subject: &Subject| match subject.graph() {
+        Ok(graph) => Either::Left((subject, graph)),
+        Err(why) => Either::Right((subject, why)),
+    };
+    let (known, refused): (Vec<_>, Vec<_>) = subjects.par_iter().partition_map(of);
     let names: Vec<_> = known.iter().map(|one| names::of(one, &known)).collect();
-    let recorded = known.into_iter().zip(names).map(|((formula, graph), names)| {
-        let checksum = project.and_then(|project| checksum(&project.golden_file(formula.spec().id)));
-        let accuracy = project.map_or_else(
-            || bound::accuracy(&formula.spec(), None, [None; 2]),
-            |project| prove::accuracy(project, formula, None),
-        );
-        Recorded { formula, graph, names, checksum, accuracy }
+    let recorded = known.into_iter().zip(names).map(|((subject, graph), names)| {
+        let checksum = project.and_then(|project| checksum(&project.golden().join(subject.golden())));
+        Recorded { subject, graph, names, checksum, accuracy: subject.accuracy(project) }
     });
     (recorded.collect(), refused)
 }
@@ -52,37 +168,66 @@ fn checksum(path: &Path) -> Option<String> {
 }
 
 impl Recorded {
+    pub(super) fn inputs(&self) -> &'static [Field] {
+        self.subject.inputs()
+    }
+
+    /// The functions that are printed; the last one has all results. A formula has one for its value, and one for the Jacobian if
+    /// that is in closed form.
+    pub(super) fn functions(&self) -> Vec<Function> {
+        let formula = match self.subject {
+            Subject::Formula(formula) => formula,
+            Subject::Element(element, rubs) => {
+                return vec![Function { name: "step", outputs: element::outputs(&element.layout(), rubs) }];
+            }
+        };
+        let shape = |field: &Field| match field.len() {
+            1 => Shape::Number,
+            len => Shape::Vector(len),
+        };
+        let shapes = formula.outputs().iter().map(|field| (field.name, shape(field)));
+        let jacobian = ("jacobian", Shape::Matrix(self.graph.value.len(), self.row()));
+        let value = Function { name: "value", outputs: placed(shapes.clone()) };
+        let with_jacobian = Function { name: "jacobian", outputs: placed(shapes.chain([jacobian])) };
+        let with_jacobian = formula.spec().is_closed().then_some(with_jacobian);
+        [value].into_iter().chain(with_jacobian).collect()
+    }
+
+    /// The function with all results.
+    pub(super) fn largest_function(&self) -> Function {
+        self.functions().pop().expect("there is a function")
+    }
+
+    /// The nodes of an output.
+    pub(super) fn nodes(&self, output: &Output) -> &[Node] {
+        let Graph { value, jacobian, .. } = &self.graph;
+        match output.first.checked_sub(value.len()) {
+            Some(first) => &jacobian[first..first + output.len()],
+            None => &value[output.first..output.first + output.len()],
+        }
+    }
+
     /// The results of a function, starting with the rejection of inputs.
-    pub(super) fn results(&self, with_jacobian: bool) -> Vec<Node> {
-        let jacobian: &[Node] = if with_jacobian { &self.graph.jacobian } else { &[] };
-        self.graph.refusal.iter().chain(&self.graph.value).chain(jacobian).copied().collect()
+    pub(super) fn results(&self, function: &Function) -> Vec<Node> {
+        let outputs = function.outputs.iter().flat_map(|output| self.nodes(output));
+        self.graph.refusal.iter().chain(outputs).copied().collect()
     }
 
-    /// The functions that are printed, each by whether it computes the Jacobian: one does if that is in closed form.
-    pub(super) fn functions(&self) -> Vec<bool> {
-        if self.formula.spec().is_closed() { vec![false, true] } else { vec![false] }
-    }
-
-    /// The name of the function with the most results.
-    pub(super) fn largest_function(&self) -> &'static str {
-        function_name(self.formula.spec().is_closed())
-    }
-
-    /// The number of entries in a row of the Jacobian.
+    /// The number of components of the inputs: that of the entries in a row of the Jacobian.
     pub(super) fn row(&self) -> usize {
-        self.formula.inputs().iter().map(Field::len).sum()
+        self.inputs().iter().map(Field::len).sum()
     }
 
-    /// The rows of the Jacobian that are written, by their first entry; the rest are all zeros.
-    pub(super) fn rows(&self) -> Vec<(usize, &[Node])> {
-        let rows = self.graph.jacobian.chunks(self.row()).enumerate();
-        let others = rows.filter(|(_, row)| !row.iter().all(|&entry| self.is_zero(entry)));
-        others.map(|(k, row)| (k * self.row(), row)).collect()
+    /// The rows of a matrix that are written, each with its position; the rest are all zeros.
+    pub(super) fn rows(&self, output: &Output) -> Vec<(usize, &[Node])> {
+        let Shape::Matrix(_, columns) = output.shape else { return vec![(0, self.nodes(output))] };
+        let rows = self.nodes(output).chunks(columns).enumerate();
+        rows.filter(|(_, row)| !row.iter().all(|&entry| self.is_zero(entry))).collect()
     }
 
-    /// The indices of the entries of the Jacobian that are always 0, and the others with their indices.
-    pub(super) fn entries(&self) -> (Vec<usize>, Vec<(usize, Node)>) {
-        let entries = self.graph.jacobian.iter().copied().enumerate();
+    /// The places in an output that are always 0, and the others with their nodes.
+    pub(super) fn entries(&self, output: &Output) -> (Vec<usize>, Vec<(usize, Node)>) {
+        let entries = self.nodes(output).iter().copied().enumerate();
         let (zeros, others): (Vec<_>, Vec<_>) = entries.partition(|&(_, entry)| self.is_zero(entry));
         (zeros.into_iter().map(|(k, _)| k).collect(), others)
     }
@@ -93,37 +238,52 @@ impl Recorded {
 }
 
 /// The meanings of the return codes that reject inputs, one line each.
-pub(super) fn refusals(inputs: &[Field], graph: &Graph) -> Vec<String> {
-    let alone = inputs.iter().map(|field| format!("{}: {}", field.name, field.quantity.domain.allowed()));
-    let together = graph.refusals.iter().map(Error::required);
-    let lines = alone.chain(together).enumerate();
+pub(super) fn refusals(one: &Recorded) -> Vec<String> {
+    let lines = required(one).into_iter().enumerate();
     lines.flat_map(|(k, what)| wrapped(&format!("{} unless {what}", k + 1))).collect()
 }
 
-/// `slot_constraint` of `slot.constraint`.
+/// What is required, by the return codes that reject inputs.
+pub(super) fn required(one: &Recorded) -> Vec<String> {
+    let alone = one.inputs().iter().map(|field| format!("{}: {}", field.name, field.quantity.domain.allowed()));
+    alone.chain(one.graph.refusals.iter().map(Error::required)).collect()
+}
+
+/// The name of a formula or an element in the names of functions and files.
 pub(super) fn stem(one: &Recorded) -> String {
-    one.formula.spec().id.replace('.', "_")
+    one.subject.stem()
 }
 
-/// The name of the function, without that of the formula.
-pub(super) const fn function_name(with_jacobian: bool) -> &'static str {
-    if with_jacobian { "jacobian" } else { "value" }
-}
-
-/// The comment at the head of a formula's file, line by line.
+/// The comment at the head of a file, line by line.
 pub(super) fn description(one: &Recorded) -> Vec<String> {
-    let spec = one.formula.spec();
-    let fields = |role: &'static str, fields: &'static [Field]| fields.iter().map(move |field| described(role, field));
-    let mut lines =
-        vec![format!("{}: {}", spec.id, spec.title), format!("{}; {}", spec.source, spec.source.provenance)];
-    lines.extend([String::new(), spec.latex.to_owned(), String::new()]);
-    lines.extend(fields("in ", one.formula.inputs()).chain(fields("out", one.formula.outputs())));
+    let (spec, subject) = (one.subject.spec(), one.subject);
+    let mut lines = match subject {
+        Subject::Formula(_) => vec![format!("{}: {}", spec.id, spec.title)],
+        Subject::Element(_, rubs) => {
+            vec![format!("{}, {} friction", spec.title, if rubs { "with" } else { "without" })]
+        }
+    };
+    lines.push(format!("{}; {}", spec.source, spec.source.provenance));
+    lines.push(String::new());
+    match subject {
+        Subject::Formula(formula) => {
+            lines.extend([spec.latex.to_owned(), String::new()]);
+            lines.extend(formula.inputs().iter().map(|field| described("in ", field)));
+            lines.extend(formula.outputs().iter().map(|field| described("out", field)));
+        }
+        Subject::Element(element, rubs) => {
+            lines.extend(element.inputs(rubs).iter().map(|field| described("in ", field)));
+            lines.extend(element::described(&element.layout(), rubs));
+        }
+    }
     lines.push(String::new());
     // Compilers of Fortran ask for ASCII.
     let accuracy = one.accuracy.replace('η', "eta").replace('≤', "<=");
     lines.push(format!("{accuracy}; in units of 2^-53, where inputs are 0 or {} in size", spec.sizes()));
-    lines.extend(one.formula.kinks().iter().map(|kink| format!("kink: {}", kink.condition)));
-    lines.push(format!("Golden cases: golden/{}.json of jointproof {}", spec.id, env!("CARGO_PKG_VERSION")));
+    if let Subject::Formula(formula) = subject {
+        lines.extend(formula.kinks().iter().map(|kink| format!("kink: {}", kink.condition)));
+    }
+    lines.push(format!("Golden cases: golden/{} of jointproof {}", subject.golden(), env!("CARGO_PKG_VERSION")));
     lines.extend(one.checksum.iter().map(|checksum| format!("SHA-256 {checksum}")));
     lines.push("Printed by jointproof; free of conditions (CC0-1.0).".into());
     lines.iter().flat_map(|line| wrapped(line)).collect()
@@ -198,6 +358,22 @@ impl<S: Into<String>> From<S> for Text {
     }
 }
 
+/// Formulas of these identifiers.
+#[cfg(test)]
+pub(super) fn formulas(ids: &[&str]) -> Vec<Recorded> {
+    let formula = |id: &&str| Subject::Formula(jointproof::catalog::find(id).expect("a formula is named"));
+    let (recorded, refused) = record(&ids.iter().map(formula).collect::<Vec<_>>(), None);
+    assert!(refused.is_empty());
+    recorded
+}
+
+/// An element without friction, and with friction if it can have any.
+#[cfg(test)]
+pub(super) fn element_of(id: &str) -> Vec<Recorded> {
+    let element = jointproof::catalog::ELEMENTS.iter().find(|element| element.spec().id == id);
+    record(&Subject::forms(*element.expect("an element is named")), None).0
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -229,10 +405,9 @@ mod tests {
 
     #[test]
     fn what_is_always_0_is_told_from_other_entries_and_rows() {
-        let (recorded, refused) = record(&[jointproof::catalog::find("slider.eliminate").unwrap()], None);
-        assert!(refused.is_empty());
-        let one = &recorded[0];
-        let ((zeros, others), rows) = (one.entries(), one.rows());
+        let one = &formulas(&["slider.eliminate"])[0];
+        let jacobian = one.largest_function().outputs.pop().unwrap();
+        let ((zeros, others), rows) = (one.entries(&jacobian), one.rows(&jacobian));
         assert_eq!(zeros.len() + others.len(), one.graph.jacobian.len());
         assert_eq!(one.graph.jacobian.len(), one.row() * one.graph.value.len());
         assert!(zeros.iter().all(|&k| one.graph.constant(one.graph.jacobian[k]) == Some(0.0)));
@@ -240,18 +415,19 @@ mod tests {
             others.iter().all(|&(k, entry)| one.graph.jacobian[k] == entry && one.graph.constant(entry) != Some(0.0))
         );
         // A row is written if any of its entries is.
-        let there: std::collections::BTreeSet<_> = others.iter().map(|(k, _)| k / one.row() * one.row()).collect();
-        assert!(rows.iter().map(|(first, _)| *first).eq(there));
-        let (alone, both) = (one.results(false), one.results(true));
+        let there: std::collections::BTreeSet<_> = others.iter().map(|(k, _)| k / one.row()).collect();
+        assert!(rows.iter().map(|(row, _)| *row).eq(there));
+        let functions = one.functions();
+        let [alone, both] = [0, 1].map(|k| one.results(&functions[k]));
         assert_eq!(both.len() - alone.len(), one.graph.jacobian.len());
         assert_eq!(both[..alone.len()], alone);
     }
+
     #[test]
     fn what_refuses_inputs_is_told_by_its_code() {
-        let (recorded, _) = record(&[jointproof::catalog::find("slide_line.contact_area_parabolic").unwrap()], None);
-        let (one, lines) = (&recorded[0], refusals(recorded[0].formula.inputs(), &recorded[0].graph));
+        let one = &formulas(&["slide_line.contact_area_parabolic"])[0];
+        let (inputs, lines) = (one.inputs(), refusals(one));
         // One code per line, apart from continuation lines.
-        let inputs = one.formula.inputs();
         let count = inputs.len() + one.graph.refusals.len();
         for code in 1..=count {
             let found: Vec<_> = lines.iter().filter(|line| line.starts_with(&format!("{code} unless "))).collect();
@@ -274,7 +450,7 @@ mod tests {
     fn a_golden_file_is_told_by_its_checksum_where_there_is_one() {
         let root = tempfile::tempdir().unwrap();
         let project = Project::new("told", root.path().to_str().unwrap().to_owned().leak(), &[]);
-        let formula = jointproof::catalog::find("slot.contact_force").unwrap();
+        let formula = Subject::Formula(jointproof::catalog::find("slot.contact_force").unwrap());
         let said = |project| {
             let (recorded, _) = record(&[formula], project);
             description(&recorded[0]).into_iter().filter(|line| line.starts_with("SHA-256 ")).collect::<Vec<_>>()

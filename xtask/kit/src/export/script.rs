@@ -2,7 +2,7 @@
 
 use super::check::{entry, is_near};
 use super::javascript::{EPSILONS, RUNTIME, source};
-use super::recorded::{Recorded, record};
+use super::recorded::{Recorded, Subject, record};
 use jointproof::catalog::AnyFormula;
 use jointproof::toolkit::graph::NotRecorded;
 
@@ -14,7 +14,7 @@ pub(crate) struct Script(Recorded);
 /// # Errors
 /// The reason why it cannot be recorded.
 pub(crate) fn script(formula: &'static dyn AnyFormula) -> Result<Script, NotRecorded> {
-    let (recorded, refused) = record(&[formula], None);
+    let (recorded, refused) = record(&[Subject::Formula(formula)], None);
     let why = |(_, why): (_, NotRecorded)| why;
     recorded
         .into_iter()
@@ -36,7 +36,7 @@ impl Script {
         let body = classic(&format!("{before}{after}\nfunction compute{largest}"));
         format!(
             "({imported}) => {{\n{body}\nreturn {{ inputs, outputs, required, value: compute, isClosed: {} }};\n}}",
-            self.0.formula.spec().is_closed()
+            self.0.subject.spec().is_closed()
         )
     }
 

@@ -3,149 +3,265 @@
 //! FRIC and MPC are written by hand around formulas. An element is `uel.f90` around its recorded functions: from its fields follow
 //! the layout of its properties, its state and its multipliers, and the calls.
 
+mod fixed;
+mod head;
+
 use super::fortran::driver::passed;
-use super::fortran::element::{modules, stem};
-use super::fortran::{Fortran, RUNTIME};
-use super::language::Language;
+use super::fortran::{RUNTIME, modules};
 use super::program::folded;
-use super::recorded::{filled, record};
+use super::recorded::{Output, Recorded, Shape, Subject, record};
+use crate::check::filled;
 use crate::files;
+use crate::outcome::Usage;
 use crate::project::Project;
+use crate::uel::{Interface, is_position, is_rotation, len};
 use anyhow::Context;
-use jointproof::catalog::{AnyElement, AnyFormula, Erased};
-use jointproof::connector::hinge::HingeElement;
-use jointproof::connector::slot::SlotElement;
-use jointproof::connector::translator::TranslatorElement;
-use jointproof::connector::ujoint::UJointElement;
+use jointproof::catalog::AnyElement;
 use jointproof::formula::Field;
-use jointproof::toolkit::verify::Layout;
 use std::path::Path;
 
 /// A routine to take away.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub(super) enum Shell {
-    /// An element of Abaqus: SLOT with friction and multipliers
-    UelSlot,
-    /// An element of Abaqus: TRANSLATOR with friction and multipliers
-    UelTranslator,
-    /// An element of Abaqus: UJOINT with friction and multipliers
-    UelUjoint,
-    /// An element of Abaqus: HINGE with friction and multipliers
-    UelHinge,
+    /// A user element of Abaqus/Standard, for each --element: with multipliers, and friction if it has any
+    Uel,
     /// A friction model of Abaqus: Coulomb's, in one direction or two
     Fric,
     /// A multi-point constraint of Abaqus: SLIDER
     Mpc,
 }
 
-/// Two nodes, each with translations and rotations.
-const MOTIONS: usize = 12;
-/// The places of both triads in PROPS.
-const TRIADS: usize = 18;
-/// The columns of the places and of the descriptions in the head of an element.
-const COLUMNS: [usize; 2] = [11, 19];
-/// The largest length of a line of the head.
-const WIDTH: usize = 120;
+/// Compilers take the rest of the file as free form, whatever its name.
+const FREE_FORM: &str = "!DEC$ FREEFORM\n";
 
-impl Shell {
-    /// The name of its file without the ending, and its own text with the modules that it uses.
-    fn parts(self, project: &Project) -> anyhow::Result<(String, String, Vec<String>)> {
-        let element: &dyn AnyElement = match self {
-            Self::UelSlot => &Erased::<SlotElement, 2, MOTIONS>(SlotElement),
-            Self::UelTranslator => &Erased::<TranslatorElement, 5, MOTIONS>(TranslatorElement),
-            Self::UelUjoint => &Erased::<UJointElement, 4, MOTIONS>(UJointElement),
-            Self::UelHinge => &Erased::<HingeElement, 5, MOTIONS>(HingeElement),
-            Self::Fric => return Ok(by_hand(project, "fric", include_str!("shell/fric.f90"))),
-            Self::Mpc => return Ok(by_hand(project, "mpc", include_str!("shell/mpc.f90"))),
-        };
-        let functions = [modules(element, false)?, modules(element, true)?].concat();
-        let modules = [RUNTIME.to_owned()].into_iter().chain(functions).collect();
-        Ok((format!("uel_{}", element.spec().id), uel(element), modules))
-    }
+/// A routine: its name, its head, its own text, and the modules that it uses.
+struct Routine {
+    name: String,
+    head: String,
+    text: String,
+    modules: Vec<String>,
 }
 
-/// A routine around formulas.
-fn by_hand(project: &Project, name: &str, text: &str) -> (String, String, Vec<String>) {
-    let (recorded, _) = record(&called(project, text), Some(project));
-    let is_module = |name: &str| {
-        Path::new(name).extension().is_some_and(|extension| extension == "f90") && !name.starts_with("driver")
+/// Writes a routine in one file, in free form, or in fixed form.
+///
+/// # Errors
+/// If an element is missing or has no recorded operations, or the file cannot be written.
+pub(super) fn write(
+    project: &Project,
+    shell: Shell,
+    elements: &[&'static dyn AnyElement],
+    is_fixed: bool,
+    folder: &Path,
+) -> anyhow::Result<String> {
+    let Routine { name, head, text, modules } = match shell {
+        Shell::Uel => uel(project, elements)?,
+        Shell::Fric => by_hand(project, "fric", include_str!("shell/fric.f90"))?,
+        Shell::Mpc => by_hand(project, "mpc", include_str!("shell/mpc.f90"))?,
     };
-    let modules = Fortran.files(&recorded).into_iter().filter(|(name, _)| is_module(name)).map(|(_, text)| text);
-    (name.to_owned(), text.to_owned(), modules.collect())
-}
-
-/// The routine around an element.
-fn uel(element: &dyn AnyElement) -> String {
-    let Layout { multipliers, start, contact, state, .. } = element.layout();
-    let count = |fields: &[Field]| fields.iter().map(Field::len).sum::<usize>();
-    let stick = TRIADS + count(start) + 1;
-    let internal: Vec<_> = (1..=count(multipliers)).map(|k| k.to_string()).collect();
-    let nodes = ["ea(:, 1), ea(:, 2), ea(:, 3), eb(:, 1), eb(:, 2), eb(:, 3), xa, xb".to_owned()];
-    let smooth = [&nodes[..], &passed(multipliers, "u", MOTIONS + 1), &passed(start, "props", TRIADS + 1)].concat();
-    let rubbing = [&smooth[..], &passed(contact, "props", stick), &passed(state, "svars", 1)].concat();
-    let filled_in = [
-        ("title", element.spec().title.to_owned()),
-        ("parameters", places("", &[start, contact].concat(), TRIADS + 1)),
-        ("state", places("SVARS", state, 1)),
-        ("internal", places("internal", multipliers, 1)),
-        ("stick", contact.first().map_or("", |field| field.name).to_owned()),
-        ("stick_place", format!("props({stick})")),
-        ("states", count(state).to_string()),
-        ("properties", (stick + count(contact) - 1).to_string()),
-        ("degrees", internal.join(", ")),
-        ("multipliers", internal.len().to_string()),
-        ("smooth", stem(element, false)),
-        ("rubbing", stem(element, true)),
-        ("smooth_arguments", [&smooth[..], &["results(:after)".to_owned()]].concat().join(", ")),
-        ("rubbing_arguments", [&rubbing[..], &["results".to_owned()]].concat().join(", ")),
-    ];
-    let text = include_str!("shell/uel.f90").to_owned();
-    let text = filled_in.iter().fold(text, |text, (name, what)| text.replace(&format!("{{{name}}}"), what));
-    let is_code = |line: &str| !line.starts_with('!') && line.len() > WIDTH;
-    let lines = text.lines().flat_map(|line| if is_code(line) { folded(line, " &") } else { vec![line.to_owned()] });
-    lines.map(|line| line + "\n").collect()
-}
-
-/// What stands where in an array, from this place on: lines of the head of an element.
-fn places(array: &str, fields: &[Field], mut from: usize) -> String {
-    let [place, description] = COLUMNS;
-    let mut lines = Vec::new();
-    for (k, field) in fields.iter().enumerate() {
-        let to = from + field.len() - 1;
-        let range = if to > from { format!("{from}-{to}") } else { from.to_string() };
-        let meaning = format!("{}: {}", field.name, field.quantity.meaning);
-        let array = if k == 0 { array } else { "" };
-        let mut head = format!("{:<place$}{range:<1$}", format!("! {array}"), description - place);
-        for line in filled(meaning.split_whitespace(), WIDTH - description) {
-            lines.push(format!("{head}{line}\n"));
-            head = format!("{:<description$}", "!");
-        }
-        from = to + 1;
-    }
-    lines.concat()
-}
-
-/// The formulas that a text calls.
-fn called(project: &Project, text: &str) -> Vec<&'static dyn AnyFormula> {
-    let calls = |formula: &&'static dyn AnyFormula| {
-        let name = formula.spec().id.replace('.', "_");
-        ["value", "jacobian"].iter().any(|what| text.contains(&format!("jp_{name}_{what}(")))
+    // No module of another file has the same name.
+    let runtime = format!("jp_runtime_{name}");
+    let modules: Vec<_> = in_order([vec![RUNTIME.to_owned()], modules].concat());
+    let code = [modules.join("\n"), "\n".into(), text].concat().replace("jp_runtime", &runtime);
+    let (extension, text) = if is_fixed {
+        ("f", fixed::form(&[head, "\n".into(), code].concat()))
+    } else {
+        ("f90", [FREE_FORM.into(), head, "\n".into(), code].concat())
     };
-    project.catalog().iter().copied().filter(calls).collect()
-}
-
-/// Writes the routine in one file: its head, the modules, and itself.
-pub(super) fn write(project: &Project, shell: Shell, folder: &Path) -> anyhow::Result<String> {
-    let (name, own, modules) = shell.parts(project)?;
-    let (head, body) = own.split_once("\nsubroutine ").context("a routine is a routine")?;
-    let text = [head, "\n\n", &in_order(modules).join("\n"), "\nsubroutine ", body].concat();
-    let path = folder.join(format!("{name}.f90"));
+    let path = folder.join(format!("{name}.{extension}"));
     files::write(&path, &text)?;
     Ok(format!("{} lines in {}\n", text.lines().count(), path.display()))
 }
 
+/// A routine around formulas.
+fn by_hand(project: &Project, name: &str, text: &str) -> anyhow::Result<Routine> {
+    let calls = |subject: &Subject| {
+        ["value", "jacobian"].iter().any(|what| text.contains(&format!("jp_{}_{what}(", subject.stem())))
+    };
+    let formulas: Vec<_> = project.catalog().iter().map(|&formula| Subject::Formula(formula)).filter(calls).collect();
+    let (recorded, _) = record(&formulas, Some(project));
+    let uses: String = recorded.iter().map(|one| format!("    use jp_{}\n", one.subject.stem())).collect();
+    let (head, body) = text.split_once("\nsubroutine ").context("a routine is a routine")?;
+    Ok(Routine {
+        name: name.to_owned(),
+        head: format!("{head}\n"),
+        text: format!("subroutine {}", body.replace("{uses}", &uses)),
+        modules: recorded.iter().flat_map(modules).collect(),
+    })
+}
+
+/// Elements in one file, by the numbers of their types.
+fn uel(project: &Project, elements: &[&'static dyn AnyElement]) -> anyhow::Result<Routine> {
+    if elements.is_empty() {
+        let ids: Vec<_> = project.elements().iter().map(|element| element.spec().id).collect();
+        return Err(Usage(format!("--shell uel: an element, by --element {}", ids.join("|"))).into());
+    }
+    let ids: Vec<_> = elements.iter().map(|element| element.spec().id).collect();
+    let (mut head, mut all) = (String::new(), Vec::new());
+    for (&element, number) in elements.iter().zip(1..) {
+        let (recorded, refused) = record(&Subject::forms(element), Some(project));
+        if let Some((subject, why)) = refused.first() {
+            return Err(Usage(format!("--element {}: it cannot be exported, since {why}", subject.spec().id)).into());
+        }
+        head += &head::of(element, number);
+        all.extend(recorded.iter().flat_map(modules));
+        all.push(module(element, &recorded));
+    }
+    let uses: Vec<_> = ids.iter().map(|id| format!("use jp_uel_{id}, only: uel_{id}")).collect();
+    let call =
+        |id: &str| format!("call uel_{id}(rhs, amatrx, svars, ndofel, props, coords, mcrd, u, lflags, mlvarx, pnewdt)");
+    let calls = if let [id] = ids[..] {
+        call(id)
+    } else {
+        let cases: Vec<_> =
+            ids.iter().zip(1..).map(|(id, number)| format!("case ({number})\n    {}\n", call(id))).collect();
+        format!("select case (jtype)\n{}case default\n    call xit\nend select", cases.concat())
+    };
+    let text = filled(include_str!("shell/uel_call.f90"), &[("uses", &uses.join("\n")), ("calls", &calls)]);
+    Ok(Routine { name: format!("uel_{}", ids.join("_")), head, text, modules: all })
+}
+
+/// The module with the routine of an element.
+fn module(element: &dyn AnyElement, forms: &[Recorded]) -> String {
+    let interface = Interface::new(element);
+    let layout = &interface.layout;
+    let [motions, held, states] = [layout.unknowns, layout.multipliers, layout.state].map(len);
+    let first = interface.orientations() + 1;
+    let stick = first + len(layout.start);
+    let places = Places::new(&interface);
+    let smooth =
+        [places.arguments, passed(layout.multipliers, "u", motions + 1), passed(layout.start, "props", first)].concat();
+    let rubbing = [&smooth[..], &passed(layout.contact, "props", stick), &passed(layout.state, "svars", 1)].concat();
+    let id = element.spec().id;
+    let [plain, with_friction] = [forms.first(), forms.get(1)];
+    let call = |form: Option<&Recorded>, arguments: &[String]| {
+        form.map_or_else(String::new, |form| {
+            let outputs = outputs(form);
+            let names = outputs.iter().map(|output| output.name.to_owned());
+            let all: Vec<_> = arguments.iter().cloned().chain(names).collect();
+            format!("code = jp_{}_step({})", form.subject.stem(), all.join(", "))
+        })
+    };
+    let (smooth, rubbing) = (call(plain, &smooth), call(with_friction, &rubbing));
+    let declared = outputs(with_friction.or(plain).expect("an element was recorded"));
+    let mut declarations = vec![declared_as(&declared)];
+    declarations.extend(places.declarations);
+    let call = if with_friction.is_some() {
+        declarations.push("logical :: rubs".into());
+        format!("rubs = props({stick}) > 0\nif (rubs) then\n    {rubbing}\nelse\n    {smooth}\nend if")
+    } else {
+        smooth
+    };
+    // What friction alone gives is 0 without it.
+    let before = if with_friction.is_some() { "after = 0\n" } else { "" };
+    let mut conditions = Vec::new();
+    if held > 0 {
+        conditions.push("rhs(motions + 1:all_motions, 1) = residuals".to_owned());
+    }
+    if with_friction.is_some() {
+        conditions.push(format!("if (rubs) svars(:{states}) = after"));
+    }
+    let matrices = if held > 0 {
+        "amatrx(:motions, motions + 1:) = -by_multipliers\namatrx(motions + 1:, :motions) = -rows"
+    } else {
+        ""
+    };
+    let finite = |output: &Output| format!("is_well = is_well .and. all(abs({}) <= huge(0.0_dp))", output.name);
+    let finite: Vec<_> = declared.iter().map(finite).collect();
+    let functions = match (interface.orientations(), interface.mcrd) {
+        (0, _) => "",
+        (_, 3) => include_str!("shell/turned_space.f90"),
+        _ => include_str!("shell/turned_plane.f90"),
+    };
+    let use_rubbing = if with_friction.is_some() { format!("use jp_element_{id}_rubbing") } else { String::new() };
+    let text = filled(
+        include_str!("shell/uel.f90"),
+        &[
+            ("use_rubbing", &use_rubbing),
+            ("declarations", &declarations.join("\n")),
+            ("nodes", &places.statements.join("\n")),
+            ("call", &format!("{before}{call}")),
+            ("finite", &finite.join("\n")),
+            ("conditions", &conditions.join("\n")),
+            ("matrices", matrices),
+            ("functions", functions),
+            ("motions", &motions.to_string()),
+            ("ndofel", &interface.ndofel().to_string()),
+            ("id", id),
+        ],
+    );
+    let lines = text.lines().filter(|line| !line.trim().is_empty() || line.is_empty());
+    lines.flat_map(|line| folded(line, " &")).map(|line| line + "\n").collect()
+}
+
+fn outputs(form: &Recorded) -> Vec<Output> {
+    form.largest_function().outputs
+}
+
+fn declared_as(outputs: &[Output]) -> String {
+    let one = |output: &Output| match output.shape {
+        Shape::Matrix(rows, columns) => format!("{}({rows}, {columns})", output.name),
+        _ => format!("{}({})", output.name, output.len()),
+    };
+    format!("real(dp) :: {}", outputs.iter().map(one).collect::<Vec<_>>().join(", "))
+}
+
+/// The nodes of an element, from U, COORDS and PROPS.
+#[derive(Default)]
+struct Places {
+    declarations: Vec<String>,
+    statements: Vec<String>,
+    /// One for each input of the nodes.
+    arguments: Vec<String>,
+}
+
+impl Places {
+    fn new(interface: &Interface) -> Self {
+        let Interface { layout, mcrd, triads, positions, .. } = interface;
+        let mut places = Self::default();
+        let (mut at, mut position, mut turned, mut property) = (1, 0, 0, 1);
+        let node_of = |from: usize| {
+            let mut place = 0;
+            let field = layout.nodes.iter().find(|field| {
+                place += field.len();
+                place > from
+            });
+            field.map_or("", |field| field.name)
+        };
+        for unknown in layout.unknowns {
+            let place = format!("u({at}:{})", at + unknown.len() - 1);
+            if !is_rotation(unknown) {
+                let name = node_of(positions[position]);
+                position += 1;
+                places.declarations.push(format!("{name}({mcrd})"));
+                places.statements.push(format!("{name} = coords(:{mcrd}, {position}) + {place}"));
+            } else if let Some(triad) = triads.get(turned) {
+                let name = format!("e{}", &node_of(triad[0])[2..]);
+                turned += 1;
+                let properties = format!("props({property}:{})", property + triad.len() * mcrd - 1);
+                property += triad.len() * mcrd;
+                if *mcrd == 3 {
+                    places.declarations.push(format!("{name}(3, 3)"));
+                    places.statements.push(format!("{name} = turned({place}, {properties})"));
+                } else {
+                    places.declarations.push(format!("{name}({mcrd})"));
+                    places.statements.push(format!("{name} = turned(u({at}), {properties})"));
+                }
+            }
+            at += unknown.len();
+        }
+        let argument = |field: &Field| match (is_position(field), mcrd) {
+            (true, _) => field.name.to_owned(),
+            (false, 3) => format!("e{}(:, {})", &field.name[2..], &field.name[1..2]),
+            (false, _) => format!("e{}", &field.name[2..]),
+        };
+        places.arguments = layout.nodes.iter().map(argument).collect();
+        places.declarations = vec![format!("real(dp) :: {}", places.declarations.join(", "))];
+        places
+    }
+}
+
 /// Sorts modules such that each comes after those it uses.
-fn in_order(mut modules: Vec<String>) -> Vec<String> {
+pub(super) fn in_order(mut modules: Vec<String>) -> Vec<String> {
     let mut found: Vec<String> = Vec::new();
     while !modules.is_empty() {
         let missing: Vec<_> = modules.iter().map(|module| format!("    use {}", name(module))).collect();

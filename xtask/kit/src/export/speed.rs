@@ -2,7 +2,7 @@
 //! inputs.
 
 use super::c::loops;
-use super::recorded::{Recorded, stem};
+use super::recorded::{Recorded, Subject, stem};
 use crate::console::{print, progress};
 use crate::files;
 use crate::project::Project;
@@ -22,14 +22,19 @@ const FLAGS: &str = "-std=c99 -O3 -flto -ffp-contract=off";
 const ROUNDS: usize = 3;
 
 /// Prints a table of times and ratios.
-pub(super) fn compare(project: &Project, folder: &Path, recorded: &[Recorded]) -> anyhow::Result<()> {
+pub(super) fn compare<'a>(project: &Project, folder: &Path, recorded: &'a [Recorded]) -> anyhow::Result<()> {
     let options = Options::quick();
     let folder = &folder.canonicalize()?;
-    for (name, text) in loops::files(recorded) {
+    let formula = |one: &'a Recorded| match one.subject {
+        Subject::Formula(formula) => Some((one, formula)),
+        Subject::Element(..) => None,
+    };
+    let (recorded, formulas): (Vec<_>, Vec<_>) = recorded.iter().filter_map(formula).unzip();
+    for (name, text) in loops::files(&recorded) {
         files::write(&folder.join(name), &text)?;
     }
-    for one in recorded {
-        let bytes: Vec<u8> = one.formula.timing_inputs(&options).iter().flat_map(|x| x.to_le_bytes()).collect();
+    for (one, formula) in recorded.iter().zip(&formulas) {
+        let bytes: Vec<u8> = formula.timing_inputs(&options).iter().flat_map(|x| x.to_le_bytes()).collect();
         std::fs::write(folder.join(format!("{}.f64", stem(one))), bytes)?;
     }
     let flags = format!("CFLAGS={FLAGS}");
@@ -44,14 +49,13 @@ pub(super) fn compare(project: &Project, folder: &Path, recorded: &[Recorded]) -
         Ok(())
     };
     run()?;
-    let formulas: Vec<_> = recorded.iter().map(|one| one.formula).collect();
     let rust = report::measure(project, &formulas, options, report::OPTIMISED)?;
     run()?;
     bar.finish_and_clear();
     let mut rows = Vec::new();
-    for one in recorded {
-        let id = one.formula.spec().id;
-        let time = checked(&rust, &one.formula.spec()).context("the report has the times of the checked call")?;
+    for (one, formula) in recorded.into_iter().zip(formulas) {
+        let id = formula.spec().id;
+        let time = checked(&rust, &formula.spec()).context("the report has the times of the checked call")?;
         let times = c.get_mut(&stem(one)).context("the program printed the time of every formula")?;
         rows.push((id, median(times), time));
     }

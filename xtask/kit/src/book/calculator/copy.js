@@ -21,7 +21,8 @@ const COPIES = {
         const declared = call.outputs.map((field) => (field.length === 1 ? name(field) : `${name(field)}(${field.length})`));
         const outputs = call.outputs.map(name);
         if (call.entries > 0) {
-            declared.push(`jacobian(${call.entries})`);
+            const rows = call.outputs.reduce((sum, { length }) => sum + length, 0);
+            declared.push(`jacobian(${rows}, ${call.entries / rows})`);
             outputs.push('jacobian');
         }
         return `integer, parameter :: dp = kind(1.0d0)\ninteger :: code\n`

@@ -176,9 +176,12 @@ fn run_c(book: &Book, formula: &'static dyn AnyFormula, call: &str) -> Vec<i64> 
 fn run_fortran(book: &Book, formula: &'static dyn AnyFormula, call: &str) -> Vec<i64> {
     let of = compared(formula);
     let (declared, called) = call.split_once("code = ").unwrap();
+    // Row by row.
+    let flat = if of == "jacobian" { format!("reshape(transpose({of}), [size({of})])") } else { format!("[{of}]") };
     let main = format!(
         "program main\nuse jointproof\nuse iso_fortran_env, only: int64\nimplicit none\n{declared}integer :: k\n\
-         code = {called}do k = 1, size({of})\nprint '(i0)', transfer({of}(k), 0_int64)\nend do\nend program\n"
+         real(dp), allocatable :: flat(:)\ncode = {called}flat = {flat}\n\
+         do k = 1, size(flat)\nprint '(i0)', transfer(flat(k), 0_int64)\nend do\nend program\n"
     );
     let build = "gfortran -ffp-contract=off jp_runtime.f90 $(ls jp_*.f90 | grep -v runtime) jointproof.f90 main.f90 -o run && ./run";
     ran(book, formula, "fortran", ("main.f90", &main), build)

@@ -227,7 +227,7 @@ pub(in crate::check) fn write_text(routine: &str, text: &str, folder: &Path) -> 
 
 /// A template with each `{name}` replaced by its text, one after the other; where it is alone in a line, all lines of the text
 /// are indented like it.
-pub(in crate::check) fn filled(template: &str, places: &[(&str, &str)]) -> String {
+pub(crate) fn filled(template: &str, places: &[(&str, &str)]) -> String {
     let one = |template: String, (name, what): &(&str, &str)| {
         let hole = format!("{{{name}}}");
         let line = |line: &str| match line.split_once(&hole) {

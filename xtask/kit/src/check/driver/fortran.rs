@@ -53,14 +53,8 @@ fn body(driver: &Driver) -> String {
     let (inputs, outputs) = (driver.formula.inputs(), driver.formula.outputs());
     if driver.is_exported {
         let names = inputs.iter().chain(outputs).map(name);
-        let names: Vec<_> = names.chain(driver.with_jacobian.then(|| "flat".to_owned())).collect();
-        let declared = driver.if_jacobian("        real(dp) :: flat(outputs * inputs)\n");
-        let reshaped = driver.if_jacobian("        jacobian = transpose(reshape(flat, [inputs, outputs]))\n");
-        return format!(
-            "{declared}        refused = {}( &\n            {}) /= 0\n{reshaped}",
-            driver.exported(),
-            folded(&names)
-        );
+        let names: Vec<_> = names.chain(driver.with_jacobian.then(|| "jacobian".to_owned())).collect();
+        return format!("        refused = {}( &\n            {}) /= 0\n", driver.exported(), folded(&names));
     }
     let zero = |field: &Field| format!("        {} = 0\n", name(field));
     let zeros: String = outputs.iter().map(zero).collect();

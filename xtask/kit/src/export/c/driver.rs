@@ -2,10 +2,10 @@
 
 use super::super::language::File;
 use super::super::program::folded;
-use super::super::recorded::{Recorded, Text, stem};
+use super::super::recorded::{Output, Recorded, Shape, Text, stem};
 use jointproof::formula::Field;
 
-/// The number of formulas in one file.
+/// The number of formulas and elements in one file.
 const FORMULAS: usize = 12;
 
 /// Reads points.bin, writes found.bin.
@@ -56,49 +56,51 @@ fn main(recorded: &[Recorded]) -> String {
     text.finished()
 }
 
-/// The arguments of a formula's functions: inputs from one array, outputs into another.
-pub(super) fn arguments(one: &Recorded, outputs: &str) -> String {
-    let passed = |fields: &[Field], array: &str, by_address: &str| {
-        let mut from = 0;
-        let arguments = fields.iter().map(|field| {
-            let start = from;
-            from += field.len();
-            if field.len() == 1 { format!("{by_address}{array}[{start}]") } else { format!("{array} + {start}") }
-        });
-        arguments.collect::<Vec<_>>()
+/// The arguments of a function: inputs from one array, outputs into another.
+pub(super) fn arguments(one: &Recorded, outputs: &[Output], array: &str) -> String {
+    let mut from = 0;
+    let mut input = |field: &Field| {
+        let start = from;
+        from += field.len();
+        if field.len() == 1 { format!("x[{start}]") } else { format!("x + {start}") }
     };
-    let all = [passed(one.formula.inputs(), "x", ""), passed(one.formula.outputs(), outputs, "&")].concat();
+    let mut all: Vec<_> = one.inputs().iter().map(&mut input).collect();
+    let mut from = 0;
+    for output in outputs {
+        let by_address =
+            if output.shape == Shape::Number { format!("&{array}[{from}]") } else { format!("{array} + {from}") };
+        all.push(by_address);
+        from += output.len();
+    }
     folded(&format!("            {}", all.join(", ")), "").join("\n")
 }
 
-/// The counts of inputs, outputs and Jacobian entries.
-pub(super) fn counts(one: &Recorded) -> [usize; 3] {
-    let count = |fields: &[Field]| fields.iter().map(Field::len).sum::<usize>();
-    [count(one.formula.inputs()), count(one.formula.outputs()), one.graph.jacobian.len()]
+/// The number of all numbers.
+pub(super) fn count(outputs: &[Output]) -> usize {
+    outputs.iter().map(Output::len).sum()
 }
 
 fn function(one: &Recorded) -> String {
-    let ([n, m, entries], name) = (counts(one), stem(one));
-    if entries == 0 {
-        return format!(
-            "\nvoid run_{name}(void);\nvoid run_{name}(void)\n{{\n    double x[{n}], y[{m}];\n\
-             \x20   for (uint64_t left = number_of_points(); left > 0; --left) {{\n        take(x, {n});\n\
-             \x20       for (int k = 0; k < {m}; ++k) y[k] = 0;\n\
-             \x20       const double code = jp_{name}_value(\n{});\n\
-             \x20       give(&code, 1);\n        give(y, {m});\n    }}\n}}\n",
-            arguments(one, "y"),
-        );
+    let (n, name, functions) = (one.row(), stem(one), one.functions());
+    let [value, largest] = [functions.first(), functions.last()].map(|one| one.expect("one gives the value"));
+    let (m, all) = (count(&value.outputs), count(&largest.outputs));
+    let head = format!("\nvoid run_{name}(void);\nvoid run_{name}(void)\n{{\n    double x[{n}]");
+    let code = format!("jp_{name}_{}(\n{})", largest.name, arguments(one, &largest.outputs, "all"));
+    let rest = format!(
+        "    for (uint64_t left = number_of_points(); left > 0; --left) {{\n        take(x, {n});\n\
+         \x20       for (int k = 0; k < {all}; ++k) all[k] = 0;\n"
+    );
+    let given = format!("        give(&code, 1);\n        give(all, {all});\n    }}\n}}\n");
+    if functions.len() == 1 {
+        return format!("{head}, all[{all}];\n{rest}        const double code = {code};\n{given}");
     }
     format!(
-        "\nvoid run_{name}(void);\nvoid run_{name}(void)\n{{\n    double x[{n}], y[{m}], both[{m} + {entries}];\n\
-         \x20   for (uint64_t left = number_of_points(); left > 0; --left) {{\n        take(x, {n});\n\
-         \x20       for (int k = 0; k < {m} + {entries}; ++k) both[k] = 0;\n\
-         \x20       double code = jp_{name}_jacobian(\n{},\n            both + {m});\n\
-         \x20       const int alone = jp_{name}_value(\n{});\n\
+        "{head}, y[{m}], all[{all}];\n{rest}        double code = {code};\n\
+         \x20       const int alone = jp_{name}_{}(\n{});\n\
          \x20       if (alone != (int)code) code = -1;\n\
-         \x20       for (int k = 0; k < {m} && alone == 0; ++k)\n            if (y[k] != both[k] && y[k] == y[k]) code = -1;\n\
-         \x20       give(&code, 1);\n        give(both, {m} + {entries});\n    }}\n}}\n",
-        arguments(one, "both"),
-        arguments(one, "y"),
+         \x20       for (int k = 0; k < {m} && alone == 0; ++k)\n            if (y[k] != all[k] && y[k] == y[k]) code = -1;\n\
+         {given}",
+        value.name,
+        arguments(one, &value.outputs, "y"),
     )
 }

@@ -1,6 +1,6 @@
 //! The program that times formulas.
 
-use super::driver::{arguments, counts};
+use super::driver::{arguments, count};
 use crate::export::language::File;
 use crate::export::recorded::{Recorded, Text, stem};
 
@@ -8,11 +8,11 @@ use crate::export::recorded::{Recorded, Text, stem};
 const FORMULAS: usize = 20;
 
 /// Reads points from `<name>.f64`, and prints nanoseconds per evaluation of value and Jacobian.
-pub(in crate::export) fn files(recorded: &[Recorded]) -> Vec<File> {
+pub(in crate::export) fn files(recorded: &[&Recorded]) -> Vec<File> {
     let groups = recorded.chunks(FORMULAS).enumerate();
     let mut files: Vec<_> = groups
         .map(|(k, group)| {
-            let loops: Vec<_> = group.iter().map(one_loop).collect();
+            let loops: Vec<_> = group.iter().map(|one| one_loop(one)).collect();
             (
                 format!("speed_{}.c", k + 1),
                 format!("#include \"jointproof.h\"\n#include <stddef.h>\n{}", loops.concat()),
@@ -24,26 +24,26 @@ pub(in crate::export) fn files(recorded: &[Recorded]) -> Vec<File> {
 }
 
 fn one_loop(one: &Recorded) -> String {
-    let ([n, m, entries], name) = (counts(one), stem(one));
-    let more = if entries > 0 { format!(",\n            both + {m}") } else { String::new() };
-    let what = one.largest_function();
+    let (n, name, function) = (one.row(), stem(one), one.largest_function());
+    let all = count(&function.outputs);
     format!(
         "\nvoid loop_{name}(const double *x, size_t points);\nvoid loop_{name}(const double *x, size_t points)\n{{\n\
-         \x20   double both[{m} + {entries}];\n    for (size_t k = 0; k < points; ++k, x += {n}) {{\n\
-         \x20       jp_{name}_{what}(\n{}{more});\n\
-         \x20       __asm__ volatile(\"\" : : \"g\"(both) : \"memory\");\n    }}\n}}\n",
-        arguments(one, "both"),
+         \x20   double all[{all}];\n    for (size_t k = 0; k < points; ++k, x += {n}) {{\n\
+         \x20       jp_{name}_{}(\n{});\n\
+         \x20       __asm__ volatile(\"\" : : \"g\"(all) : \"memory\");\n    }}\n}}\n",
+        function.name,
+        arguments(one, &function.outputs, "all"),
     )
 }
 
-fn main(recorded: &[Recorded]) -> String {
+fn main(recorded: &[&Recorded]) -> String {
     let mut text = Text::from(HEAD);
     for one in recorded {
         text.push(format!("void loop_{}(const double *x, size_t points);\n", stem(one)));
     }
     text.push("\nint main(void)\n{\n");
     for one in recorded {
-        text.push(format!("    take(\"{0}\", {1}, loop_{0});\n", stem(one), counts(one)[0]));
+        text.push(format!("    take(\"{0}\", {1}, loop_{0});\n", stem(one), one.row()));
     }
     text.push("    return 0;\n}\n");
     text.finished()
@@ -100,13 +100,12 @@ static void take(const char *name, size_t inputs, void (*loop)(const double *, s
 #[cfg(test)]
 mod tests {
     use super::files;
-    use crate::export::recorded::record;
-    use jointproof::catalog::find;
+    use crate::export::recorded::formulas;
 
     #[test]
     fn every_formula_has_a_loop_that_is_called() {
         let ids = ["slot.contact_force", "coulomb.yield"];
-        let files = files(&record(&ids.map(|id| find(id).unwrap()), None).0);
+        let files = files(&formulas(&ids).iter().collect::<Vec<_>>());
         let file = |wanted: &str| files.iter().find(|(name, _)| name == wanted).map_or("", |(_, text)| text);
         for name in ids.map(|id| id.replace('.', "_")) {
             assert!(file("speed_1.c").contains(&format!("        jp_{name}_jacobian(")), "{name}");

@@ -1,10 +1,11 @@
 //! The program that evaluates formulas at given points, for the comparison with Rust.
 
 use super::super::language::File;
-use super::super::recorded::{Recorded, Text, stem};
+use super::super::program::folded;
+use super::super::recorded::{Recorded, Shape, Text, stem};
 use jointproof::formula::Field;
 
-/// The number of formulas in one file.
+/// The number of formulas and elements in one file.
 const FORMULAS: usize = 12;
 
 /// Reads points.bin, writes found.bin. The program is the last file.
@@ -46,21 +47,32 @@ fn module(number: usize, group: &[Recorded]) -> String {
 }
 
 fn subroutine(one: &Recorded) -> String {
-    let (inputs, outputs) = (one.formula.inputs(), one.formula.outputs());
-    let count = |fields: &[Field]| fields.iter().map(Field::len).sum::<usize>();
-    let [n, m, entries] = [count(inputs), count(outputs), one.graph.jacobian.len()];
-    let jacobian = if entries > 0 { vec!["jacobian".to_owned()] } else { Vec::new() };
-    let arguments = [passed(inputs, "x", 1), passed(outputs, "y", 1), jacobian].concat();
-    let what = one.largest_function();
-    let name = stem(one);
+    let (n, name, function) = (one.row(), stem(one), one.largest_function());
+    let mut declared = vec![format!("x({n})")];
+    let mut written = vec!["real(code, dp)".to_owned()];
+    for output in &function.outputs {
+        let name = format!("out_{}", output.name);
+        match output.shape {
+            Shape::Number => declared.push(name.clone()),
+            Shape::Vector(len) => declared.push(format!("{name}({len})")),
+            Shape::Matrix(rows, columns) => declared.push(format!("{name}({rows}, {columns})")),
+        }
+        written.push(if matches!(output.shape, Shape::Matrix(..)) { format!("transpose({name})") } else { name });
+    }
+    let outputs = function.outputs.iter().map(|output| format!("out_{}", output.name));
+    let arguments: Vec<_> = passed(one.inputs(), "x", 1).into_iter().chain(outputs).collect();
+    let line = |line: String| folded(&line, " &").join("\n");
     format!(
-        "    subroutine run_{name}()\n        real(dp) :: x({n}), y({m}), jacobian({entries})\n\
+        "    subroutine run_{name}()\n{}\n\
          \x20       integer(int64) :: left\n        integer :: code\n\
          \x20       read (10) left\n        do while (left > 0)\n            read (10) x\n\
-         \x20           code = jp_{name}_{what}( &\n                {})\n\
-         \x20           write (11) real(code, dp), y, jacobian\n            left = left - 1\n        end do\n\
+         \x20           code = jp_{name}_{}( &\n                {})\n{}\n\
+         \x20           left = left - 1\n        end do\n\
          \x20   end subroutine run_{name}\n",
-        arguments.join(", &\n                ")
+        line(format!("        real(dp) :: {}", declared.join(", "))),
+        function.name,
+        arguments.join(", &\n                "),
+        line(format!("            write (11) {}", written.join(", "))),
     )
 }
 

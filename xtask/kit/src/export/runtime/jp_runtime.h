@@ -6,6 +6,10 @@
 #ifndef JP_RUNTIME_H
 #define JP_RUNTIME_H
 
+#ifdef __FAST_MATH__
+#error "-ffast-math changes the results: sums are reordered, and NaN is no longer told from numbers"
+#endif
+
 #include <float.h>
 #include <math.h>
 #include <stdint.h>
@@ -32,17 +36,20 @@ JP_UNUSED static double jp_norm(double sum, const double *x, int n)
 
 JP_UNUSED static double jp_norm2(double x, double y)
 {
-    return jp_norm(x * x + y * y, (const double[]){x, y}, 2);
+    const double all[2] = {x, y};
+    return jp_norm(x * x + y * y, all, 2);
 }
 
 JP_UNUSED static double jp_norm3(double x, double y, double z)
 {
-    return jp_norm((x * x + y * y) + z * z, (const double[]){x, y, z}, 3);
+    const double all[3] = {x, y, z};
+    return jp_norm((x * x + y * y) + z * z, all, 3);
 }
 
 JP_UNUSED static double jp_norm4(double x, double y, double z, double w)
 {
-    return jp_norm(((x * x + y * y) + z * z) + w * w, (const double[]){x, y, z, w}, 4);
+    const double all[4] = {x, y, z, w};
+    return jp_norm(((x * x + y * y) + z * z) + w * w, all, 4);
 }
 
 /* z P(z), in parts that do not wait for each other. */

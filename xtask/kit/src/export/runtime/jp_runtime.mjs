@@ -2,18 +2,24 @@
 // nothing, the closest place of a curve, a product and a sum rounded once. Printed by jointproof;
 // free of conditions (CC0-1.0).
 
-// Why inputs are refused: the name and the position from 1 of the first that is not finite or not
-// in its domain; or what they must be together, by a position behind all inputs.
-export function refused({ inputs, required, value }, i) {
+// Where an input is not finite or not in its domain: its position from 1 as the only result.
+export function refusalOf(inputs, i) {
     for (const [k, { name, length, allowed }] of inputs.entries()) {
         const all = length === 1 ? [i[name]] : i[name];
         if (!all.every((x) => Number.isFinite(x) && allowed.every((holds) => holds(x)))) {
-            return { name, position: k + 1 };
+            return { refusal: k + 1 };
         }
     }
-    const { refusal } = value(i);
+    return undefined;
+}
+
+// Why inputs are refused: the name and the position from 1 of the first that is not finite or not
+// in its domain; or what they must be together, by a position behind all inputs.
+export function refused({ inputs, required, value, step = value }, i) {
+    const { refusal } = step(i);
     if (!(refusal > 0)) return undefined;
-    return { name: required[refusal - 1], position: inputs.length + refusal };
+    const name = inputs[refusal - 1]?.name ?? required[refusal - 1 - inputs.length];
+    return { name, position: refusal };
 }
 
 // The square root of a sum of squares that is rescaled where it would leave the range of doubles.

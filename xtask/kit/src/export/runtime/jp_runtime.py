@@ -58,6 +58,19 @@ def code(given, bounds, together):
     return found.astype(int)
 
 
+def accepted(codes, given, required):
+    """Raises ValueError where inputs are refused."""
+    if not np.any(codes):
+        return
+    place = np.unravel_index(np.argmax(codes != 0), np.shape(codes))
+    code = int(codes[place])
+    values = given[code - 1] if code <= len(given) else []
+    values = [float(np.broadcast_to(x, np.shape(codes))[place]) for x in values]
+    found = ", which is " + ", ".join(map(repr, values)) if values else ""
+    at = f" at {tuple(map(int, place))}" if place else ""
+    raise ValueError(f"required is {required[code - 1]}{found}{at}")
+
+
 def norm(*x):
     """The square root of a sum of squares that is rescaled where it would leave the range of doubles."""
     plain = functools.reduce(lambda total, part: total + part * part, x, 0.0)

@@ -11,9 +11,8 @@
 subroutine fric(lm, tau, ddtddg, ddtddp, dslip, sed, sfd, ddtddt, pnewdt, statev, dgam, taulm, press, dpress, ddpddh, &
         slip, kstep, kinc, time, dtime, noel, ciname, slname, msname, npt, node, npatch, coords, rcoord, drot, temp, &
         predef, nfdir, mcrd, npred, nstatv, chrlngth, props, nprops)
-    use jointproof
-    use jp_runtime, only: dp
-    implicit none
+{uses}    use jp_runtime, only: dp
+    include 'ABA_PARAM.INC'
     integer, intent(in) :: kstep, kinc, noel, npt, node, npatch, nfdir, mcrd, npred, nstatv, nprops
     character(len=80), intent(in) :: ciname, slname, msname
     integer, intent(inout) :: lm
@@ -21,7 +20,7 @@ subroutine fric(lm, tau, ddtddg, ddtddp, dslip, sed, sfd, ddtddt, pnewdt, statev
         coords(mcrd), rcoord(mcrd), drot(2, 2), temp(2), predef(2, *), chrlngth(2), props(nprops)
     real(dp), intent(inout) :: tau(nfdir), ddtddg(nfdir, nfdir), ddtddp(nfdir), sed, sfd, ddtddt(nfdir, 2), pnewdt, &
         statev(*)
-    real(dp) :: trial(nfdir), slope(4, 2), limit
+    real(dp) :: trial(nfdir), slope(2, 4), limit
     integer :: code
 
     lm = 0
@@ -29,7 +28,7 @@ subroutine fric(lm, tau, ddtddg, ddtddp, dslip, sed, sfd, ddtddt, pnewdt, statev
     trial = tau + props(2) * dgam
     slope = 0
     if (nfdir == 1) then
-        code = jp_coulomb_return_map_jacobian(trial(1), props(1), limit, tau(1), slope)
+        code = jp_coulomb_return_map_jacobian(trial(1), props(1), limit, tau(1), slope(1:1, 1:3))
     else
         code = jp_coulomb_return_map_2d_jacobian(trial, props(1), limit, tau, slope)
     end if
@@ -37,7 +36,7 @@ subroutine fric(lm, tau, ddtddg, ddtddp, dslip, sed, sfd, ddtddt, pnewdt, statev
         pnewdt = min(pnewdt, 0.5_dp)
         return
     end if
-    ddtddg = transpose(slope(:nfdir, :nfdir)) * props(2)
+    ddtddg = slope(:nfdir, :nfdir) * props(2)
     ddtddp = 0
-    if (press >= 0) ddtddp = slope(nfdir + 2, :nfdir)
+    if (press >= 0) ddtddp = slope(:nfdir, nfdir + 2)
 end subroutine fric

@@ -10,14 +10,13 @@
 !
 ! Put together from formulas that jointproof proves; free of conditions (CC0-1.0). Compile with -ffp-contract=off.
 subroutine mpc(ue, a, jdof, mdof, n, jtype, x, u, uinit, maxdof, lmpc, kstep, kinc, time, nt, nf, temp, field, ltran, tran)
-    use jointproof
-    use jp_runtime, only: dp
-    implicit none
+{uses}    use jp_runtime, only: dp
+    include 'ABA_PARAM.INC'
     integer, intent(in) :: mdof, n, jtype, maxdof, kstep, kinc, nt, nf, ltran(n)
     integer, intent(inout) :: jdof(n), lmpc
     real(dp), intent(in) :: x(6, n), u(maxdof, n), uinit(maxdof, n), time(2), temp(nt, n), field(nf, nt, n), tran(3, 3, n)
     real(dp), intent(inout) :: ue(mdof), a(n)
-    real(dp) :: x1(3), xn(3), d(3), found(2), slope(7, 2)
+    real(dp) :: x1(3), xn(3), d(3), found(2), slope(2, 7)
     integer :: axes(3), more, less, eliminated, kept
 
     x1 = x(1:3, 3) + u(1:3, 3)
@@ -37,5 +36,5 @@ subroutine mpc(ue, a, jdof, mdof, n, jtype, x, u, uinit, maxdof, lmpc, kstep, ki
     end if
     ue(1) = found(jtype) - x(eliminated, 1)
     jdof = [eliminated, kept, 1, 2, 3, 1, 2, 3]
-    a = [1.0_dp, -slope(7, jtype), -slope(1:6, jtype)]
+    a = [1.0_dp, -slope(jtype, 7), -slope(jtype, 1:6)]
 end subroutine mpc

@@ -1,0 +1,58 @@
+//! What the functions of an element give, in every language.
+
+use super::recorded::{Output, Shape, placed};
+use crate::uel::len;
+use jointproof::formula::Field;
+use jointproof::toolkit::verify::Layout;
+
+/// The outputs in the order of the results.
+pub(super) fn outputs(layout: &Layout, rubs: bool) -> Vec<Output> {
+    let [n, m, held] = [layout.unknowns, layout.residuals, layout.multipliers].map(len);
+    let after = if rubs { len(layout.state) } else { 0 };
+    let all = placed([
+        ("residuals", Shape::Vector(m)),
+        ("rows", Shape::Matrix(m, n)),
+        ("forces", Shape::Vector(n)),
+        ("stiffness", Shape::Matrix(n, n)),
+        ("by_multipliers", Shape::Matrix(n, held)),
+        ("after", Shape::Vector(after)),
+    ]);
+    all.into_iter().filter(|output| output.len() > 0).collect()
+}
+
+/// A line of the head for each output: what its rows and columns are.
+pub(super) fn described(layout: &Layout, rubs: bool) -> Vec<String> {
+    let Layout { unknowns, forces, residuals, multipliers, state, .. } = layout;
+    let line = |output: Output| {
+        let (shape, what) = match output.shape {
+            Shape::Matrix(rows, columns) => {
+                let what = match output.name {
+                    "rows" => format!("derivative of the residuals by {}", names(unknowns)),
+                    "stiffness" => "derivative of the forces by the same".to_owned(),
+                    _ => format!("derivative of the forces by {}", names(multipliers)),
+                };
+                (format!("({rows}, {columns})"), what)
+            }
+            _ => {
+                let what = match output.name {
+                    "residuals" if multipliers.is_empty() => names(residuals),
+                    "residuals" => format!("{}, which the multipliers keep at 0", names(residuals)),
+                    "forces" => format!("on the nodes: {}", names(forces)),
+                    _ => format!("{} after the step", names(state)),
+                };
+                (format!("({})", output.len()), what)
+            }
+        };
+        format!("out {}{shape} {what}", output.name)
+    };
+    outputs(layout, rubs).into_iter().map(line).collect()
+}
+
+/// Fields with their lengths: `ua(3), ta(3)`.
+pub(super) fn names(fields: &[Field]) -> String {
+    let name = |field: &Field| match field.len() {
+        1 => field.name.to_owned(),
+        len => format!("{}({len})", field.name),
+    };
+    fields.iter().map(name).collect::<Vec<_>>().join(", ")
+}
