@@ -312,11 +312,17 @@ impl<'a> Parts<'a> {
             row.retain(|_, factor| *factor != 0);
         };
         for mut row in rows {
-            solved.iter().for_each(|(&atom, other)| subtract(&mut row, atom, other));
+            for (&atom, other) in &solved {
+                subtract(&mut row, atom, other);
+            }
             let Some(atom) = row.keys().copied().find(|&atom| is_open(atom)) else { continue };
             let per_atom = field::inverse(row[&atom]).unwrap_or_default();
-            row.values_mut().for_each(|factor| *factor = field::multiply(*factor, per_atom));
-            solved.values_mut().for_each(|other| subtract(other, atom, &row));
+            for factor in row.values_mut() {
+                *factor = field::multiply(*factor, per_atom);
+            }
+            for other in solved.values_mut() {
+                subtract(other, atom, &row);
+            }
             solved.insert(atom, row);
         }
         let named = |(atom, row): (Atom, Row)| {

@@ -57,7 +57,7 @@ fn described(formula: &dyn AnyFormula, entries: &[[usize; 2]]) -> Value {
         "latex": spec.latex,
         "eta": spec.eta.value,
         "eta_jacobian": spec.eta.jacobian,
-        "accuracy": accuracy(spec, [None; 2]),
+        "accuracy": accuracy(&spec, [None; 2]),
         "sizes": spec.sizes(),
         "inputs": fields(formula.inputs()),
         "outputs": fields(formula.outputs()),
