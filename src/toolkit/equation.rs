@@ -45,6 +45,7 @@
 //! # Ok::<(), jointproof::toolkit::equation::Error>(())
 //! ```
 
+mod call;
 mod claims;
 mod closed;
 mod cursor;

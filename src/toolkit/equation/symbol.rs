@@ -3,43 +3,7 @@
 use super::cursor::Parser;
 use super::error::Error;
 use super::name::Name;
-use super::token::{FUNCTIONS, Kind as Word};
-
-/// Greek letters and other commands that are letters.
-pub(super) const LETTERS: &[&str] = &[
-    "alpha",
-    "beta",
-    "gamma",
-    "delta",
-    "epsilon",
-    "varepsilon",
-    "zeta",
-    "eta",
-    "theta",
-    "kappa",
-    "lambda",
-    "mu",
-    "nu",
-    "xi",
-    "pi",
-    "rho",
-    "sigma",
-    "tau",
-    "phi",
-    "varphi",
-    "chi",
-    "psi",
-    "omega",
-    "Gamma",
-    "Theta",
-    "Lambda",
-    "Xi",
-    "Sigma",
-    "Phi",
-    "Psi",
-    "Omega",
-    "ell",
-];
+use super::token::{FUNCTIONS, Kind as Word, LETTERS};
 
 /// Fonts in which vectors are written, and those without a meaning.
 const BOLD: &[&str] = &["mathbf", "boldsymbol", "bm", "pmb", "vec", "mathbfit", "symbf", "symbfit", "overrightarrow"];

@@ -1,7 +1,6 @@
 //! LaTeX as tokens, without purely typographic commands.
 
 use super::error::Error;
-use super::symbol::LETTERS;
 
 /// What a token is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -159,6 +158,42 @@ const CHARACTERS: &[(&str, Kind<'_>)] = &[
 /// Small characters above and below the line, and what they are on it.
 const ABOVE: &str = "⁰0¹1²2³3⁴4⁵5⁶6⁷7⁸8⁹9⁻-ⁿn";
 const BELOW: &str = "₀0₁1₂2₃3₄4₅5₆6₇7₈8₉9ₐaₑeₕhᵢiⱼjₖkₗlₘmₙnₒoₚpᵣrₛsₜtᵤuᵥvₓx";
+
+/// Greek letters and other commands that are letters.
+pub(super) const LETTERS: &[&str] = &[
+    "alpha",
+    "beta",
+    "gamma",
+    "delta",
+    "epsilon",
+    "varepsilon",
+    "zeta",
+    "eta",
+    "theta",
+    "kappa",
+    "lambda",
+    "mu",
+    "nu",
+    "xi",
+    "pi",
+    "rho",
+    "sigma",
+    "tau",
+    "phi",
+    "varphi",
+    "chi",
+    "psi",
+    "omega",
+    "Gamma",
+    "Theta",
+    "Lambda",
+    "Xi",
+    "Sigma",
+    "Phi",
+    "Psi",
+    "Omega",
+    "ell",
+];
 
 /// Functions that may be written without a backslash.
 pub(super) const FUNCTIONS: &[&str] = &[
