@@ -62,8 +62,12 @@ impl Parser<'_> {
         match self.peek().kind {
             // `(k = 1, 3)` is a range.
             Word::Sign('(') => self.tokens.get(self.next + 2).is_none_or(|token| token.kind != Word::Sign('=')),
-            Word::Letter(_) | Word::Digit(_) | Word::Field(_) => true,
-            Word::Sign('[') | Word::BeginCases | Word::BeginMatrix => true,
+            Word::Letter(_)
+            | Word::Digit(_)
+            | Word::Field(_)
+            | Word::Sign('[')
+            | Word::BeginCases
+            | Word::BeginMatrix => true,
             // Between bars another one closes them.
             Word::Sign('|') => self.bars == 0,
             Word::Command(name) => !matches!(name, "rvert" | "le" | "ge" | "ne" | "cdot" | "times" | "otimes" | "**"),

@@ -374,7 +374,8 @@ impl<'a> Reader<'a, '_> {
             return Ok(());
         }
         if SIZES.contains(&name) {
-            return self.bracket(name, at);
+            self.bracket(name, at);
+            return Ok(());
         }
         let kind = match name {
             "\\" => {
@@ -396,15 +397,15 @@ impl<'a> Reader<'a, '_> {
     }
 
     /// A bracket after the command of its size; a bar opens or closes as that command says.
-    fn bracket(&mut self, size: &str, at: usize) -> Result<(), Error> {
+    fn bracket(&mut self, size: &str, at: usize) {
         let before = self.at;
         self.at += self.rest().len() - self.rest().trim_start().len();
         if self.took(".") {
-            return Ok(());
+            return;
         }
         let brace = self.at;
         if self.took(r"\{") && self.rest().trim_start().starts_with(r"\begin{array}") {
-            return Ok(());
+            return;
         }
         self.at = brace;
         let bar = [r"\|", r"\vert", r"\Vert", r"\lvert", r"\rvert", r"\lVert", r"\rVert", "|"];
@@ -421,7 +422,6 @@ impl<'a> Reader<'a, '_> {
         } else {
             self.at = before;
         }
-        Ok(())
     }
 
     fn environment(&mut self, is_begun: bool, at: usize) -> Result<(), Error> {
