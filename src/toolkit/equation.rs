@@ -45,6 +45,7 @@
 //! # Ok::<(), jointproof::toolkit::equation::Error>(())
 //! ```
 
+mod call;
 mod claims;
 mod closed;
 mod cursor;
@@ -299,12 +300,14 @@ fn output(writer: &mut Writer<'_>, name: &Name, field: &Field) -> Result<Vec<Opt
     let parts: Vec<_> = (1..=field.len()).map(|k| field.len() > 1 && writer.defines(&name.at(k))).collect();
     let needs_all = !writer.is_lenient;
     if parts.iter().any(|&is_defined| is_defined) && (needs_all || !writer.defines(name)) {
-        let part = |(k, is_defined): (usize, bool)| match is_defined || needs_all {
-            true => match writer.symbol(&name.at(k + 1), at, Place::ROOT)? {
+        let part = |(k, is_defined): (usize, bool)| {
+            if !is_defined && !needs_all {
+                return Ok(None);
+            }
+            match writer.symbol(&name.at(k + 1), at, Place::ROOT)? {
                 Value::Scalar(id) => Ok(Some(id)),
                 _ => Err(wrong()),
-            },
-            false => Ok(None),
+            }
         };
         return parts.into_iter().enumerate().map(part).collect();
     }

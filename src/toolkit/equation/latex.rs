@@ -1,8 +1,8 @@
 //! Expressions written as LaTeX that parses back to the same expressions.
 
 use super::name::Name;
-use super::symbol::LETTERS;
 use super::syntax::{Body, Condition, Expr, Function, Kind, Operator, Relation, Statement};
+use super::token::LETTERS;
 
 /// A statement.
 pub(super) fn statement(statement: &Statement) -> String {

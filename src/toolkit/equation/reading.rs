@@ -85,8 +85,8 @@ impl Equation {
 
 /// A symbol, and its components if it has some.
 fn parts(name: &Name, field: &Field) -> impl Iterator<Item = Name> {
-    let components = if field.len() > 1 { 1..=field.len() } else { 1..=0 };
-    std::iter::once(name.clone()).chain(components.map(|k| name.at(k)))
+    let components = if field.len() > 1 { field.len() } else { 0 };
+    std::iter::once(name.clone()).chain((1..=components).map(|k| name.at(k)))
 }
 
 /// Whether one of the statements defines an output or a component of it.

@@ -3,43 +3,7 @@
 use super::cursor::Parser;
 use super::error::Error;
 use super::name::Name;
-use super::token::{FUNCTIONS, Kind as Word};
-
-/// Greek letters and other commands that are letters.
-pub(super) const LETTERS: &[&str] = &[
-    "alpha",
-    "beta",
-    "gamma",
-    "delta",
-    "epsilon",
-    "varepsilon",
-    "zeta",
-    "eta",
-    "theta",
-    "kappa",
-    "lambda",
-    "mu",
-    "nu",
-    "xi",
-    "pi",
-    "rho",
-    "sigma",
-    "tau",
-    "phi",
-    "varphi",
-    "chi",
-    "psi",
-    "omega",
-    "Gamma",
-    "Theta",
-    "Lambda",
-    "Xi",
-    "Sigma",
-    "Phi",
-    "Psi",
-    "Omega",
-    "ell",
-];
+use super::token::{FUNCTIONS, Kind as Word, LETTERS};
 
 /// Fonts in which vectors are written, and those without a meaning.
 const BOLD: &[&str] = &["mathbf", "boldsymbol", "bm", "pmb", "vec", "mathbfit", "symbf", "symbfit", "overrightarrow"];
@@ -62,9 +26,7 @@ impl Parser<'_> {
         loop {
             if name.below.is_empty() && self.took_sign('_') {
                 name.below = self.subscript()?;
-            } else if self.took_sign('\'') {
-                name.primes += 1;
-            } else if self.sees('^') && self.took_prime() {
+            } else if self.took_sign('\'') || self.sees('^') && self.took_prime() {
                 name.primes += 1;
             } else if name.above.is_empty() && self.sees('^') && self.is_word_above() {
                 self.next += 1;
@@ -186,12 +148,11 @@ impl Parser<'_> {
         let token = self.take();
         match token.kind {
             Word::Letter(c) | Word::Digit(c) => Ok(c.to_string()),
-            Word::Field(word) => Ok(word.into()),
             Word::Text(word) if word.trim().chars().all(char::is_alphanumeric) => Ok(word.trim().into()),
             Word::Command("mathrm" | "mathit" | "mathsf" | "mathnormal" | "operatorname" | "textit") => {
                 if self.sees('{') { self.word() } else { self.piece() }
             }
-            Word::Command(word @ ("min" | "max" | "times" | "perp")) => Ok(word.into()),
+            Word::Field(word) | Word::Command(word @ ("min" | "max" | "times" | "perp")) => Ok(word.into()),
             Word::Command(letter) if LETTERS.contains(&letter) || FUNCTIONS.contains(&letter) => Ok(letter.into()),
             _ => Err(Error::new(token.at, "a letter, a digit or an upright word was expected in this subscript")),
         }

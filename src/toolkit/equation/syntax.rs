@@ -250,6 +250,11 @@ impl Expr {
     }
 }
 
+/// An operation on two expressions.
+pub(super) fn binary(operator: Operator, left: Expr, right: Expr, at: usize) -> Expr {
+    Expr { kind: Kind::Binary(operator, Box::new(left), Box::new(right)), at }
+}
+
 /// A small number as a double.
 pub(super) fn small(value: usize) -> f64 {
     u32::try_from(value).map_or(f64::NAN, f64::from)

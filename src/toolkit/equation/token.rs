@@ -1,7 +1,6 @@
 //! LaTeX as tokens, without purely typographic commands.
 
 use super::error::Error;
-use super::symbol::LETTERS;
 
 /// What a token is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -159,6 +158,42 @@ const CHARACTERS: &[(&str, Kind<'_>)] = &[
 /// Small characters above and below the line, and what they are on it.
 const ABOVE: &str = "⁰0¹1²2³3⁴4⁵5⁶6⁷7⁸8⁹9⁻-ⁿn";
 const BELOW: &str = "₀0₁1₂2₃3₄4₅5₆6₇7₈8₉9ₐaₑeₕhᵢiⱼjₖkₗlₘmₙnₒoₚpᵣrₛsₜtᵤuᵥvₓx";
+
+/// Greek letters and other commands that are letters.
+pub(super) const LETTERS: &[&str] = &[
+    "alpha",
+    "beta",
+    "gamma",
+    "delta",
+    "epsilon",
+    "varepsilon",
+    "zeta",
+    "eta",
+    "theta",
+    "kappa",
+    "lambda",
+    "mu",
+    "nu",
+    "xi",
+    "pi",
+    "rho",
+    "sigma",
+    "tau",
+    "phi",
+    "varphi",
+    "chi",
+    "psi",
+    "omega",
+    "Gamma",
+    "Theta",
+    "Lambda",
+    "Xi",
+    "Sigma",
+    "Phi",
+    "Psi",
+    "Omega",
+    "ell",
+];
 
 /// Functions that may be written without a backslash.
 pub(super) const FUNCTIONS: &[&str] = &[
@@ -339,7 +374,8 @@ impl<'a> Reader<'a, '_> {
             return Ok(());
         }
         if SIZES.contains(&name) {
-            return self.bracket(name, at);
+            self.bracket(name, at);
+            return Ok(());
         }
         let kind = match name {
             "\\" => {
@@ -361,15 +397,15 @@ impl<'a> Reader<'a, '_> {
     }
 
     /// A bracket after the command of its size; a bar opens or closes as that command says.
-    fn bracket(&mut self, size: &str, at: usize) -> Result<(), Error> {
+    fn bracket(&mut self, size: &str, at: usize) {
         let before = self.at;
         self.at += self.rest().len() - self.rest().trim_start().len();
         if self.took(".") {
-            return Ok(());
+            return;
         }
         let brace = self.at;
         if self.took(r"\{") && self.rest().trim_start().starts_with(r"\begin{array}") {
-            return Ok(());
+            return;
         }
         self.at = brace;
         let bar = [r"\|", r"\vert", r"\Vert", r"\lvert", r"\rvert", r"\lVert", r"\rVert", "|"];
@@ -386,7 +422,6 @@ impl<'a> Reader<'a, '_> {
         } else {
             self.at = before;
         }
-        Ok(())
     }
 
     fn environment(&mut self, is_begun: bool, at: usize) -> Result<(), Error> {

@@ -131,7 +131,7 @@ fn check(
 ) {
     for at in claims.at(point) {
         // Somebody's tangent of a right angle.
-        let is_infinite = |side: Octuple| !side.is_finite() && side == side;
+        let is_infinite = |side: Octuple| !side.is_finite() && !side.is_nan();
         if claims.is_partial && (is_infinite(at.left) || is_infinite(at.right)) {
             continue;
         }

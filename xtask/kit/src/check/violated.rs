@@ -13,7 +13,7 @@ use std::ops::Range;
 pub(super) struct Conditions {
     graph: Graph,
     needed: Vec<Node>,
-    conditions: Vec<Node>,
+    of: Vec<Node>,
     unknowns: usize,
 }
 
@@ -27,20 +27,20 @@ impl Conditions {
         let graph = element.graph(false, Extremes::Nan).ok()?;
         let conditions = graph.value.get(..conditions).filter(|conditions| !conditions.is_empty())?.to_vec();
         let needed = graph.needed(&conditions);
-        Some(Self { graph, needed, conditions, unknowns })
+        Some(Self { graph, needed, of: conditions, unknowns })
     }
 
     /// The derivatives of the conditions by the unknowns, condition by condition.
     fn rows(&self, inputs: &[Octuple]) -> Vec<Vec<Octuple>> {
         let all = self.graph.results(inputs, self.needed.iter().copied());
         let gradient = |&of: &Node| self.graph.gradient(of, &self.needed, &all, inputs.len());
-        self.conditions.iter().map(|of| gradient(of)[..self.unknowns].to_vec()).collect()
+        self.of.iter().map(|of| gradient(of)[..self.unknowns].to_vec()).collect()
     }
 
     /// The results of the element with the derivative of its conditions for their rows, and those of one whose forces are by these
     /// rows, too. The multipliers follow the unknowns among the inputs.
     pub(super) fn otherwise(&self, inputs: &[f64], results: &[f64]) -> [Vec<f64>; 2] {
-        let (m, n) = (self.conditions.len(), self.unknowns);
+        let (m, n) = (self.of.len(), self.unknowns);
         let exact: Vec<_> = inputs.iter().copied().map(Octuple::from).collect();
         let rows = self.rows(&exact);
         let multipliers = &exact[n..n + m];
