@@ -13,4 +13,3 @@ mod process;
 mod random;
 
 pub(crate) use command::{Arguments, run};
-pub(crate) use driver::abi::filled;

@@ -1,6 +1,6 @@
 //! What the functions of an element give, in every language.
 
-use super::recorded::{Output, Shape, placed};
+use super::subject::{Output, Shape, placed};
 use crate::uel::len;
 use jointproof::formula::Field;
 use jointproof::toolkit::verify::Layout;

@@ -10,10 +10,10 @@ use super::fortran::driver::passed;
 use super::fortran::{RUNTIME, modules};
 use super::program::folded;
 use super::recorded::{Output, Recorded, Shape, Subject, record};
-use crate::check::filled;
 use crate::files;
 use crate::outcome::Usage;
 use crate::project::Project;
+use crate::template::filled;
 use crate::uel::{Interface, is_position, is_rotation, len};
 use anyhow::Context;
 use jointproof::catalog::AnyElement;
@@ -117,7 +117,7 @@ fn uel(project: &Project, elements: &[&'static dyn AnyElement]) -> anyhow::Resul
         format!("select case (jtype)\n{}case default\n    call xit\nend select", cases.concat())
     };
     let text = filled(include_str!("shell/uel_call.f90"), &[("uses", &uses.join("\n")), ("calls", &calls)]);
-    Ok(Routine { name: format!("uel_{}", ids.join("_")), head, text, modules: all })
+    Ok(Routine { name: format!("uel_{}", ids.join("_")), head, text: tidied(&text), modules: all })
 }
 
 /// The module with the routine of an element.
@@ -189,6 +189,11 @@ fn module(element: &dyn AnyElement, forms: &[Recorded]) -> String {
             ("id", id),
         ],
     );
+    tidied(&text)
+}
+
+/// A filled template without lines of blanks, and with long lines folded.
+fn tidied(text: &str) -> String {
     let lines = text.lines().filter(|line| !line.trim().is_empty() || line.is_empty());
     lines.flat_map(|line| folded(line, " &")).map(|line| line + "\n").collect()
 }
