@@ -79,12 +79,12 @@ fn by_hand(project: &Project, name: &str, text: &str) -> anyhow::Result<Routine>
     };
     let formulas: Vec<_> = project.catalog().iter().map(|&formula| Subject::Formula(formula)).filter(calls).collect();
     let (recorded, _) = record(&formulas, Some(&project.golden()));
-    let uses: String = recorded.iter().map(|one| format!("    use jp_{}\n", one.subject.stem())).collect();
+    let uses: Vec<_> = recorded.iter().map(|one| format!("    use jp_{}\n", one.subject.stem())).collect();
     let (head, body) = text.split_once("\nsubroutine ").context("a routine is a routine")?;
     Ok(Routine {
         name: name.to_owned(),
         head: format!("{head}\n"),
-        text: format!("subroutine {}", body.replace("{uses}", &uses)),
+        text: format!("subroutine {}", body.replace("{uses}", &uses.concat())),
         modules: recorded.iter().flat_map(modules).collect(),
     })
 }
