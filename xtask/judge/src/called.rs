@@ -140,7 +140,11 @@ mod tests {
         let judged = called.judge("mine", &[right.clone(), right.clone()], true, vec!["it is slow".into()]).unwrap();
         assert!(judged.is_well && judged.text.contains("noticed: it is slow"), "{}", judged.text);
         let with_first = |first| [&[first][..], &right[1..]].concat();
-        assert!(called.judge("mine", &[right.clone(), with_first(Answer::Numbers(Vec::new()))], false).is_none());
+        assert!(
+            called
+                .judge("mine", &[right.clone(), with_first(Answer::Numbers(Vec::new()))], false, Vec::new())
+                .is_none()
+        );
         assert!(called.judge("mine", &[right.clone(), right[1..].to_vec()], false, Vec::new()).is_none());
         let refused =
             called.judge("mine", &[with_first(Answer::Refused(None)), right.clone()], false, Vec::new()).unwrap();

@@ -43,6 +43,7 @@ mod sample;
 mod selection;
 mod since;
 pub mod sources;
+mod template;
 mod uel;
 mod verify;
 

@@ -19,9 +19,8 @@ use super::deferred::Deferred;
 use super::fault::Faults;
 use super::output::write;
 use super::preprocessor::Formulary;
-use super::tables::DOWNLOADS;
 use super::theme::{SHEETS, Theme};
-use super::{links, mend, moving, permalinks, search, source};
+use super::{downloads, links, mend, moving, permalinks, search, source};
 
 /// The age up to which the partial folder of another run is left alone, in case that run is still going.
 const STALE: Duration = Duration::from_mins(10);
@@ -112,7 +111,7 @@ fn finish(root: &Path, theme: &Path, out: &Path, title: &str, content: &Content,
         write(&out.join("golden").join(&golden.name), &golden.bytes)?;
     }
     for download in &content.downloads {
-        write(&out.join(DOWNLOADS).join(&download.name), download.text.as_bytes())?;
+        write(&out.join(downloads::FOLDER).join(&download.name), download.text.as_bytes())?;
     }
     for (path, text) in calculator::files(&content.entries) {
         write(&out.join(path), text.as_bytes())?;

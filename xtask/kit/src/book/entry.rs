@@ -2,13 +2,13 @@
 
 use super::calculator;
 use super::content::{CodeSpan, Content, Entry, Evidence, GoldenCounts, Kink, Source, Symbol, TestRef};
+use super::downloads;
 use super::glance;
 use super::html::{each, escape, number, relative};
 use super::pages::{Pages, Place};
 use super::rust;
 use super::source::listing_page;
 use super::speed;
-use super::tables;
 use crate::extension::Fact;
 use jointproof::toolkit::verify::{Audit, Claim, Examination};
 use judge::examination;
@@ -148,7 +148,7 @@ fn facts(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
     let provenance = pages.text(at, &source.provenance);
     let uses = [("Uses", glance::uses(pages, at, entry)), ("Used by", glance::used_by(pages, at, entry))];
     let uses = each(uses, |(name, html)| if html.is_empty() { html } else { fact(name, &html) });
-    let downloads = tables::downloads_of(pages, at, &entry.id, false);
+    let downloads = downloads::of(pages, at, &entry.id, false);
     let downloads = if downloads.is_empty() { downloads } else { fact("Download", &downloads) };
     uses + &downloads + &fact("Source", &format!("{}{place}; {provenance}", document(pages, at, source)))
 }

@@ -7,6 +7,7 @@ mod command;
 mod content;
 pub(crate) mod coverage;
 mod deferred;
+mod downloads;
 mod entry;
 mod fault;
 mod figure;

@@ -14,7 +14,7 @@ use super::html::escape;
 use super::markdown::{Found, Piece, scan};
 use super::pages::{Pages, Place};
 use super::prose::{self, Mark};
-use super::{entry, figure, numeral, speed, tables};
+use super::{downloads, entry, figure, numeral, speed, tables};
 
 /// Expands chapters; see the module.
 pub(crate) struct Formulary {
@@ -105,7 +105,7 @@ impl Formulary {
             ("evidence", "") => tables::evidence(pages, at),
             ("accuracy", "") => tables::accuracy(pages, at),
             ("sources", "") => tables::sources(pages, at),
-            ("downloads", "") => tables::downloads(pages, at),
+            ("downloads", "") => downloads::table_of_elements(pages, at),
             ("speed", part) => speed::part(pages, at, part).unwrap_or_else(|| unknown(pages, at, name, argument)),
             ("table", name) => tables::named(pages, at, name),
             _ => unknown(pages, at, name, argument),

@@ -4,9 +4,8 @@ use std::collections::BTreeMap;
 
 use super::content::{Content, Entry, Source, Symbol};
 use super::entry::{bound, document, of_every, worst};
-use super::html::{each, escape, number, relative, row, table};
+use super::html::{each, escape, number, row, table};
 use super::pages::{Pages, Place};
-use crate::export::Download;
 use crate::extension::Table;
 use jointproof::toolkit::verify::{Audit, Claim, Examination};
 
@@ -78,29 +77,6 @@ pub(crate) fn kinks(pages: &Pages<'_>, at: &Place) -> String {
         ])
     });
     table("kinks", &["Formula", "Where", "What jumps", "From", "To", "Returned"], &rows)
-}
-
-/// The folder of the files in other languages.
-pub(crate) const DOWNLOADS: &str = "downloads";
-
-/// Links to the files of a formula or an element.
-pub(crate) fn downloads_of(pages: &Pages<'_>, at: &Place, id: &str, is_element: bool) -> String {
-    let own = |download: &&Download| download.is_element == is_element && download.id == id;
-    let link = |download: &Download| {
-        let path = relative(&at.page, &format!("{DOWNLOADS}/{}", download.name));
-        format!("<a href=\"{}\" download>{}</a>", escape(&path), escape(&download.label))
-    };
-    pages.content.downloads.iter().filter(own).map(link).collect::<Vec<_>>().join(", ")
-}
-
-/// `{{#downloads}}`: the files of every element.
-pub(crate) fn downloads(pages: &Pages<'_>, at: &Place) -> String {
-    let mut ids: Vec<_> = pages.content.downloads.iter().filter(|file| file.is_element).map(|file| file.id).collect();
-    ids.dedup();
-    let rows = each(ids, |id| {
-        row(&[("", format!("<code>{}</code>", escape(id))), ("wide", downloads_of(pages, at, id, true))])
-    });
-    table("downloads", &["Element", "Files"], &rows)
 }
 
 /// The columns of the evidence table.

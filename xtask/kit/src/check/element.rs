@@ -10,6 +10,7 @@ use crate::console::{bold, count, green, print, red};
 use crate::outcome::{Outcome, verdict};
 use crate::project::Project;
 use crate::selection;
+use crate::template::filled;
 use crate::uel::{Interface, is_rotation, len};
 use jointproof::catalog::AnyElement;
 use jointproof::formula::Field;
@@ -269,8 +270,8 @@ fn text(element: &dyn AnyElement) -> String {
         ("nsvars", &nsvars),
         ("nprops", &nprops),
     ];
-    let template = abi::filled(include_str!("driver/abi/uel_element.f90"), abi::ELEMENT);
-    let template = abi::filled(&template, &values);
+    let template = filled(include_str!("driver/abi/uel_element.f90"), abi::ELEMENT);
+    let template = filled(&template, &values);
     let is_note = |line: &str| line.starts_with("! ") && line.len() > WIDTH;
     let lines = template.lines().map(|line| if is_note(line) { wrapped(line) } else { line.to_owned() });
     let template = lines.collect::<Vec<_>>().join("\n");

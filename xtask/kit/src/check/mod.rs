@@ -14,4 +14,3 @@ mod random;
 mod violated;
 
 pub(crate) use command::{Arguments, run};
-pub(crate) use driver::abi::filled;

@@ -60,7 +60,7 @@ fn in_c(one: &Recorded) -> String {
     let includes = |line: &&str| !line.starts_with("#include \"jp_");
     let headers = [c::ARRAYS, c::RUNTIME].into_iter().map(str::to_owned);
     let texts = headers.chain(files.into_iter().map(|(_, text)| text)).chain([source.1]);
-    joined(texts.map(|text| text.lines().filter(includes).map(|line| format!("{line}\n")).collect()))
+    joined(texts.map(|text| text.lines().filter(includes).flat_map(|line| [line, "\n"]).collect()))
 }
 
 /// The modules in their order; that of the runtime has a name of its own.
@@ -88,7 +88,7 @@ fn without_imports(text: &str) -> String {
         is_import &= !line.ends_with(';');
         is_kept
     };
-    text.lines().filter(is_kept).map(|line| format!("{line}\n")).collect()
+    text.lines().filter(is_kept).flat_map(|line| [line, "\n"]).collect()
 }
 
 /// One module: its description, the runtime, and the functions.
@@ -128,8 +128,7 @@ mod tests {
         ];
         for download in all.iter().flat_map(of) {
             files::write(&folder.path().join(&download.name), &download.text).unwrap();
-            let of_language =
-                commands.iter().filter(|(language, _)| download.label.starts_with(&format!("{language}")));
+            let of_language = commands.iter().filter(|(language, _)| download.label.starts_with(language));
             for (_, command) in of_language {
                 let (program, arguments) = command.split_once(' ').unwrap_or((command, ""));
                 if Command::new(program).arg("--version").output().is_err() {

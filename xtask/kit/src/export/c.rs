@@ -381,8 +381,8 @@ fn header(one: &Recorded) -> String {
 
 /// The header that includes all others.
 fn umbrella(recorded: &[Recorded]) -> String {
-    let includes: String = recorded.iter().map(|one| format!("#include \"jp_{}.h\"\n", stem(one))).collect();
-    include_str!("runtime/jointproof.h").replace("{includes}", &includes)
+    let includes: Vec<_> = recorded.iter().map(|one| format!("#include \"jp_{}.h\"\n", stem(one))).collect();
+    include_str!("runtime/jointproof.h").replace("{includes}", &includes.concat())
 }
 
 fn part_prototype(stem: &str, part: &PartLines) -> String {

@@ -1,6 +1,6 @@
 //! What the functions of an element give, in every language.
 
-use super::recorded::{Output, Shape, placed};
+use super::subject::{Output, Shape, placed};
 use crate::uel::len;
 use jointproof::formula::Field;
 use jointproof::toolkit::verify::Layout;
@@ -24,24 +24,18 @@ pub(super) fn outputs(layout: &Layout, rubs: bool) -> Vec<Output> {
 pub(super) fn described(layout: &Layout, rubs: bool) -> Vec<String> {
     let Layout { unknowns, forces, residuals, multipliers, state, .. } = layout;
     let line = |output: Output| {
-        let (shape, what) = match output.shape {
-            Shape::Matrix(rows, columns) => {
-                let what = match output.name {
-                    "rows" => format!("derivative of the residuals by {}", names(unknowns)),
-                    "stiffness" => "derivative of the forces by the same".to_owned(),
-                    _ => format!("derivative of the forces by {}", names(multipliers)),
-                };
-                (format!("({rows}, {columns})"), what)
-            }
-            _ => {
-                let what = match output.name {
-                    "residuals" if multipliers.is_empty() => names(residuals),
-                    "residuals" => format!("{}, which the multipliers keep at 0", names(residuals)),
-                    "forces" => format!("on the nodes: {}", names(forces)),
-                    _ => format!("{} after the step", names(state)),
-                };
-                (format!("({})", output.len()), what)
-            }
+        let what = match output.name {
+            "residuals" if multipliers.is_empty() => names(residuals),
+            "residuals" => format!("{}, which the multipliers keep at 0", names(residuals)),
+            "rows" => format!("derivative of the residuals by {}", names(unknowns)),
+            "forces" => format!("on the nodes: {}", names(forces)),
+            "stiffness" => "derivative of the forces by the same".to_owned(),
+            "by_multipliers" => format!("derivative of the forces by {}", names(multipliers)),
+            _ => format!("{} after the step", names(state)),
+        };
+        let shape = match output.shape {
+            Shape::Matrix(rows, columns) => format!("({rows}, {columns})"),
+            _ => format!("({})", output.len()),
         };
         format!("out {}{shape} {what}", output.name)
     };

@@ -218,7 +218,7 @@ fn function(one: &Recorded, body: &Body, lines: &Lines, Function { name, outputs
     let names: Vec<_> = inputs.iter().map(name_of).chain(outputs.iter().map(output_name)).collect();
     let mut text =
         Text::from(format!("    function {name}( &\n            {}) result(code)\n", names.join(", &\n            ")));
-    text.push_all(inputs.iter().map(|field| declared(field)));
+    text.push_all(inputs.iter().map(declared));
     for output in outputs {
         let shape = match output.shape {
             Shape::Number => String::new(),

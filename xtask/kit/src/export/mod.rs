@@ -17,6 +17,7 @@ mod recorded;
 mod script;
 mod shell;
 mod speed;
+mod subject;
 
 use crate::console::{green, print, red, say};
 use crate::files;

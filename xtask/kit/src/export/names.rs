@@ -1,6 +1,6 @@
 //! Names temporaries after results of other formulas.
 
-use super::recorded::Subject;
+use super::subject::Subject;
 use jointproof::formula::Field;
 use jointproof::toolkit::graph::{Graph, Node};
 use std::collections::{HashMap, HashSet};

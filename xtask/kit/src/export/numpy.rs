@@ -100,7 +100,7 @@ pub(super) fn source(one: &Recorded) -> String {
         let lines: Vec<_> = all.iter().map(|(name, len)| format!("    ('{name}', {len}),\n")).collect();
         text.push(format!("{name} = [\n{}]\n", lines.concat()));
     }
-    let texts = required(one).into_iter().map(|text| format!("    {text:?},\n")).collect::<String>();
+    let texts = required(one).into_iter().map(|text| format!("    {text:?},\n")).collect::<Vec<_>>().concat();
     text.push(format!("REQUIRED = [\n{texts}]\n"));
     text.push_all(functions.iter().map(|printed| function(one, printed)));
     text.push(refused(one));

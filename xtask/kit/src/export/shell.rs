@@ -10,10 +10,10 @@ use super::fortran::driver::passed;
 use super::fortran::{RUNTIME, modules};
 use super::program::folded;
 use super::recorded::{Output, Recorded, Shape, Subject, record};
-use crate::check::filled;
 use crate::files;
 use crate::outcome::Usage;
 use crate::project::Project;
+use crate::template::filled;
 use crate::uel::{Interface, is_position, is_rotation, len};
 use anyhow::Context;
 use jointproof::catalog::AnyElement;
@@ -79,12 +79,12 @@ fn by_hand(project: &Project, name: &str, text: &str) -> anyhow::Result<Routine>
     };
     let formulas: Vec<_> = project.catalog().iter().map(|&formula| Subject::Formula(formula)).filter(calls).collect();
     let (recorded, _) = record(&formulas, Some(project));
-    let uses: String = recorded.iter().map(|one| format!("    use jp_{}\n", one.subject.stem())).collect();
+    let uses: Vec<_> = recorded.iter().map(|one| format!("    use jp_{}\n", one.subject.stem())).collect();
     let (head, body) = text.split_once("\nsubroutine ").context("a routine is a routine")?;
     Ok(Routine {
         name: name.to_owned(),
         head: format!("{head}\n"),
-        text: format!("subroutine {}", body.replace("{uses}", &uses)),
+        text: format!("subroutine {}", body.replace("{uses}", &uses.concat())),
         modules: recorded.iter().flat_map(modules).collect(),
     })
 }
@@ -117,7 +117,7 @@ fn uel(project: &Project, elements: &[&'static dyn AnyElement]) -> anyhow::Resul
         format!("select case (jtype)\n{}case default\n    call xit\nend select", cases.concat())
     };
     let text = filled(include_str!("shell/uel_call.f90"), &[("uses", &uses.join("\n")), ("calls", &calls)]);
-    Ok(Routine { name: format!("uel_{}", ids.join("_")), head, text, modules: all })
+    Ok(Routine { name: format!("uel_{}", ids.join("_")), head, text: tidied(&text), modules: all })
 }
 
 /// The module with the routine of an element.
@@ -189,6 +189,11 @@ fn module(element: &dyn AnyElement, forms: &[Recorded]) -> String {
             ("id", id),
         ],
     );
+    tidied(&text)
+}
+
+/// A filled template without lines of blanks, and with long lines folded.
+fn tidied(text: &str) -> String {
     let lines = text.lines().filter(|line| !line.trim().is_empty() || line.is_empty());
     lines.flat_map(|line| folded(line, " &")).map(|line| line + "\n").collect()
 }

@@ -1,8 +1,9 @@
 //! Programs that call a routine at the states asked for.
 
-use super::super::driver::abi::{around, filled};
+use super::super::driver::abi::around;
 use super::spec::{Routine, Spec};
 use crate::outcome::Usage;
+use crate::template::filled;
 
 /// The driver of a routine, after the name of its file.
 ///

@@ -18,9 +18,9 @@ pub(super) fn form(free: &str) -> String {
             None => (line, false),
         };
         if statement.is_empty() {
-            statement = part.to_owned();
+            statement.push_str(part);
         } else {
-            statement = format!("{statement} {}", part.trim_start());
+            statement.extend([" ", part.trim_start()]);
         }
         if !goes_on {
             fixed += &lines(&std::mem::take(&mut statement));
@@ -42,7 +42,7 @@ fn lines(statement: &str) -> String {
         }
         // Blanks have no meaning in fixed form: a word is broken only where it is longer than a line.
         let at = rest[..=room].rfind(' ').filter(|&at| at > 0).unwrap_or(room);
-        lines += &format!("{start}{}\n", rest[..at].trim_end());
+        lines.extend([&start, rest[..at].trim_end(), "\n"]);
         (start, rest) = (format!("     &{indent}"), rest[at..].trim_start());
     }
 }

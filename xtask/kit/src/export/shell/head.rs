@@ -27,18 +27,13 @@ pub(super) fn of(element: &dyn AnyElement, number: usize) -> String {
     if interface.mcrd == 3 && interface.orientations() > 0 {
         head.item("U", "", "rotations are rotation vectors of the whole rotation, from which the triads follow; a step adds a spin in front of them, as Abaqus does");
     }
-    if !layout.multipliers.is_empty() {
-        head.item(
-            "RHS",
-            "",
-            &format!(
-                "the forces and moments of the element on its nodes, then the residuals {}",
-                names(layout.residuals)
-            ),
-        );
+    let rhs = if layout.multipliers.is_empty() {
+        "the forces of the element on its nodes".to_owned()
     } else {
-        head.item("RHS", "", "the forces of the element on its nodes");
-    }
+        let residuals = names(layout.residuals);
+        format!("the forces and moments of the element on its nodes, then the residuals {residuals}")
+    };
+    head.item("RHS", "", &rhs);
     head.item("AMATRX", "", "-dRHS/dU, with the spins of the nodes for their rotations; unsymmetric");
     head.item("PNEWDT", "", "0.5, and no contribution, where the element is not defined or a result is not finite: the increment is tried again with half of the time");
     properties(&mut head, &interface);
@@ -195,12 +190,12 @@ impl Head {
 
     /// A line of a deck.
     fn line(&mut self, text: &str) {
-        self.0 += &format!("!     {text}\n");
+        self.0.extend(["!     ", text, "\n"]);
     }
 
     fn text(&mut self, text: &str) {
         for line in filled(text.split_whitespace(), WIDTH - 2) {
-            self.0 += &format!("! {line}\n");
+            self.0.extend(["! ", &line, "\n"]);
         }
     }
 
@@ -210,7 +205,7 @@ impl Head {
         let (from, width) = if place.is_empty() { (at, 0) } else { (description, description - at) };
         let mut start = format!("{:<at$}{place:<width$}", format!("! {name}"));
         for line in filled(text.split_whitespace(), WIDTH - from) {
-            self.0 += &format!("{start}{line}\n");
+            self.0.extend([&start, &line, "\n"]);
             start = format!("{:<from$}", "!");
         }
     }
