@@ -155,17 +155,25 @@ pub(super) fn blocks_of(sources: &mut Sources, file: u32, folder: Option<&Path>,
 /// Reads a file of the deck's folder.
 fn include(sources: &mut Sources, name: &str, folder: Option<&Path>, depth: usize) -> Result<u32, (String, String)> {
     let Some(folder) = folder else {
-        return Err((format!("{name:?} in a text that is in no folder"), "a deck that is read from a file".into()));
+        return Err((
+            format!("*INCLUDE of {name:?} in a text that is in no folder"),
+            "a deck that is read from a file".into(),
+        ));
     };
     if depth > DEPTH {
-        return Err((format!("{name:?}, included by {DEPTH} files"), format!("at most {DEPTH} files in each other")));
+        return Err((
+            format!("*INCLUDE of {name:?}, included by {DEPTH} files"),
+            format!("at most {DEPTH} files in each other"),
+        ));
     }
     if sources.count() == FILES {
-        return Err((format!("{name:?} after {FILES} files"), format!("at most {FILES} files")));
+        return Err((format!("*INCLUDE of {name:?} after {FILES} files"), format!("at most {FILES} files")));
     }
     let bytes = std::fs::read(folder.join(name))
-        .map_err(|error| (format!("{name:?}: {error}"), "a file that can be read".to_owned()))?;
-    sources.add(name, bytes).ok_or_else(|| (format!("{name:?}, which is too long"), "a file of less than 4 GiB".into()))
+        .map_err(|error| (format!("*INCLUDE of {name:?}: {error}"), "a file that can be read".to_owned()))?;
+    sources
+        .add(name, bytes)
+        .ok_or_else(|| (format!("*INCLUDE of {name:?}, which is too long"), "a file of less than 4 GiB".into()))
 }
 
 /// An included file, and where it is named.
