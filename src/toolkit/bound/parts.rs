@@ -297,9 +297,7 @@ impl<'a> Parts<'a> {
                 *entry = field::add(*entry, factor);
             }
             row.retain(|_, factor| *factor != 0);
-            if unknown(&row) > 0 {
-                rows.push(row);
-            }
+            rows.extend(Some(row).filter(|row| unknown(row) > 0));
         }
         rows.sort_by_key(unknown);
         let mut solved: BTreeMap<Atom, Row> = BTreeMap::new();
@@ -317,9 +315,7 @@ impl<'a> Parts<'a> {
             }
             let Some(atom) = row.keys().copied().find(|&atom| is_open(atom)) else { continue };
             let per_atom = field::inverse(row[&atom]).unwrap_or_default();
-            for factor in row.values_mut() {
-                *factor = field::multiply(*factor, per_atom);
-            }
+            let row: Row = row.into_iter().map(|(other, factor)| (other, field::multiply(factor, per_atom))).collect();
             for other in solved.values_mut() {
                 subtract(other, atom, &row);
             }
