@@ -37,11 +37,9 @@ fn grouped(all: &[&LeftOut]) -> Vec<String> {
     }
     let line = |group: &Vec<&LeftOut>| {
         let LeftOut { file, keyword, what, .. } = group[0];
-        let mut lines =
-            group.iter().take(SHOWN).map(|left_out| left_out.line.to_string()).collect::<Vec<_>>().join(", ");
-        if group.len() > SHOWN {
-            lines += &format!(" and {} more", group.len() - SHOWN);
-        }
+        let lines: Vec<_> = group.iter().take(SHOWN).map(|left_out| left_out.line.to_string()).collect();
+        let more = group.len().checked_sub(SHOWN).filter(|more| *more > 0);
+        let lines = lines.join(", ") + &more.map(|more| format!(" and {more} more")).unwrap_or_default();
         let plural = if group.len() > 1 { "lines" } else { "line" };
         let file = file.as_ref().map(|file| format!("{file}, ")).unwrap_or_default();
         format!("{keyword} ({file}{plural} {lines}): {what}")

@@ -118,7 +118,7 @@ pub(super) fn text(name: &str, scene: &Scene, start: &[Start]) -> anyhow::Result
     let mut text = String::new();
     writeln!(text, "{}\n{}", bold(name), summary(scene, start))?;
     for start in start {
-        writeln!(text, "\n{}", bold(&title(start)))?;
+        writeln!(text, "\n{}", bold(title(start)))?;
         for (about, what) in lines(start) {
             writeln!(text, "  {about:<10}  {what}")?;
         }
