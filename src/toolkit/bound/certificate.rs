@@ -249,10 +249,10 @@ mod tests {
         let (mut graph, [a, b]) = graph();
         let tenth = graph.number(0.1);
         let sum = graph.binary(Binary::Add, a, tenth);
-        let steps = vec![(Rule::Sum(terms), Rational::from(1))];
         assert!(without_steps(&graph, sum).is_err_and(|why| why.contains("none of inputs and result")));
         let part = |factor: i128, place: usize| (Rational::from(factor), Part(sum, 0, place));
         let terms = vec![part(1, 2), part(1, 1), part(-1, 0)];
+        let steps = vec![(Rule::Sum(terms), Rational::from(1))];
         assert_eq!(check(&graph, &INPUTS, sum, &[certificate(&[], 2, steps)]), Ok(()));
         let longer = graph.binary(Binary::Add, a, b);
         let back = graph.binary(Binary::Subtract, longer, b);
