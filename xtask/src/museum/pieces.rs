@@ -1,17 +1,15 @@
 //! The errors. Rows of a Jacobian are the outputs, columns the inputs, with components in the order of the entry.
 
 use super::piece::{Piece, Planted};
-use super::shipped::{Inputs, Mistake, Right, Rows, Shipped, changed, judged, rows};
+use super::shipped::{Inputs, Mistake, OPTIONS, Right, Rows, Shipped, changed, judged, rows};
 use jointproof::connector::{slot, ujoint, universal};
 use jointproof::contact::{coulomb, slide_line};
 use jointproof::element;
 use jointproof::formula::proof::Proved;
 use jointproof::formula::{Fields, Formula};
 use jointproof::number::scalar::{Scalar, norm};
-use jointproof::toolkit::verify::{Audit, Options, audit};
+use jointproof::toolkit::verify::{Audit, audit};
 use judge::Judged;
-
-pub(super) const OPTIONS: Options = Options { samples: 40, seed: 1 };
 
 fn piece<M: Mistake>([thread, there, here]: [&'static str; 3], claim: &'static str) -> Piece {
     let control: fn() -> Audit = || audit::<Shipped<Right<M::Of>>>(&OPTIONS);

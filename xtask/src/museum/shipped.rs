@@ -1,11 +1,14 @@
 //! A formula of this project with an error in it.
 
-use super::pieces::OPTIONS;
 use jointproof::formula::proof::{Case, Kink, Proved};
 use jointproof::formula::{Component, Fields, Finite, Formula, Jacobian, Spec, ValueAndJacobian, value_and_jacobian};
 use jointproof::number::scalar::Scalar;
+use jointproof::toolkit::verify::Options;
 use jointproof::{Error, catalog};
 use judge::{Answer, Called, Judged};
+
+/// Few points are enough: every error shows at most of them.
+pub(super) const OPTIONS: Options = Options { samples: 40, seed: 1 };
 
 /// The inputs of the formula in which an error is re-enacted.
 pub(super) type Inputs<M, D> = <<M as Mistake>::Of as Formula>::Inputs<D>;
