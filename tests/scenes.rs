@@ -166,7 +166,8 @@ fn angles_beyond_a_turn_are_asked_about() {
     assert_eq!(of("6.25"), Vec::<String>::new());
     assert_eq!(
         of("90"),
-        ["elements.e.theta1_ref is 90, more than a full turn: angles are in radians, and 90° would be 1.570796"]
+        ["elements.e.theta1_ref is 90, more than a full turn: angles are in radians, and 90° would be 1.570796; \
+          say \"angles\": \"degrees\" or \"radians\""]
     );
 }
 
@@ -432,7 +433,8 @@ fn results_of_the_first_elements_alone_are_kept() {
     let (all, mut states) = (Results::of(&scene).unwrap(), 0);
     let first = Results::collect::<f64>(&plan, 1, || states += 1).unwrap();
     assert_eq!(states, all.times.len());
-    assert!(first.series.iter().eq(all.series.iter().filter(|series| series.element == "first")));
+    let name = &all.series[0].element;
+    assert!(first.series.iter().eq(all.series.iter().filter(|series| series.element == *name)));
     assert!(first.series.len() < all.series.len() && !first.series.is_empty());
 }
 

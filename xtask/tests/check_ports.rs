@@ -61,7 +61,7 @@ const PLANTED: &[Planted] = &[
         "row-major",
         Fortran,
         "slot.friction",
-        Driver("transpose(reshape(flat, [inputs, outputs]))", "reshape(flat, [outputs, inputs])"),
+        Driver("((j_all(row, column), column = 1, inputs), row = 1, outputs)", "j_all"),
         "the Jacobian is read column by column",
     ),
     planted(

@@ -137,7 +137,7 @@ fn formulas_are_listed_and_shown() {
         .prints("out f (F): friction")
         .prints("kink: ");
     let ran = bench.run(&["formulas", "--filter", "slider.line", "--show"]).quiet();
-    ran.prints("\n    in  x1[3] (L): ").prints("\n    out n[3] (1): ").prints("\n    η at most ");
+    ran.prints("\n    in  x1[3] (L): ").prints("\n    out n[3] (1): ").prints("\n    value: η ≤ ");
 }
 
 #[test]

@@ -100,7 +100,7 @@ pub(super) fn power_of(base: Expr, exponent: Expr, at: usize) -> Expr {
     let Some((above, below)) = exact(&exponent) else {
         return Expr { kind: Kind::Power(Box::new(base), Box::new(exponent)), at };
     };
-    let number = |value| Expr { kind: Kind::Number(value), at };
+    let number = |value| Expr { kind: Kind::Number(value), at: exponent.at };
     let halves = 2.0 * above / below;
     if halves.fract() != 0.0 || halves == 0.0 {
         return Expr { kind: Kind::Power(Box::new(base), Box::new(number(above / below))), at };

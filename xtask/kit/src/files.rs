@@ -114,8 +114,12 @@ mod tests {
         assert_eq!(std::fs::read_to_string(&path).unwrap(), "two");
         assert_eq!(std::fs::read_dir(root.path().join("a")).unwrap().count(), 1);
         // A file that cannot be written is left unchanged.
-        let refused = write_with(&path, |_| -> anyhow::Result<()> { anyhow::bail!("no more") }).unwrap_err();
+        let full = || std::io::Error::other("no more");
+        let refused = write_with(&path, |_| Err::<(), _>(full().into())).unwrap_err();
         assert_eq!(format!("{refused:#}"), format!("cannot write {}: no more", path.display()));
+        // What is no error of the file stays as it is.
+        let undefined = write_with(&path, |_| -> anyhow::Result<()> { anyhow::bail!("undefined") }).unwrap_err();
+        assert_eq!(format!("{undefined:#}"), "undefined");
         assert_eq!(std::fs::read_to_string(&path).unwrap(), "two");
     }
 

@@ -31,10 +31,10 @@
         dt9 = cshift(dn, 1) * cshift(t0, -1) - cshift(dn, -1) * cshift(t0, 1) &
             + cshift(n0, 1) * cshift(dt0, -1) - cshift(n0, -1) * cshift(dt0, 1)
         dshare = (dot_product(moved(7:9) - moved(1:3), n0) + dot_product(xm - x1, dn) - share * dot_product(n0, along)) / length
-        of_gaps(column_of, 1) = dot_product(moved(7:9) - moved(1:3), t0) + dot_product(xm - x1, dt0)
-        of_gaps(column_of, 2) = dot_product(moved(7:9) - moved(1:3), t9) + dot_product(xm - x1, dt9)
+        of_gaps(1, column_of) = dot_product(moved(7:9) - moved(1:3), t0) + dot_product(xm - x1, dt0)
+        of_gaps(2, column_of) = dot_product(moved(7:9) - moved(1:3), t9) + dot_product(xm - x1, dt9)
         dm = with_first * dt0 + with_second * dt9
-        of_loads(column_of, :) = [dshare * on_m - (1 - share) * dm, -dshare * on_m - share * dm, dm]
+        of_loads(:, column_of) = [dshare * on_m - (1 - share) * dm, -dshare * on_m - share * dm, dm]
     end do
-    of_loads(10, :) = [-(1 - share) * t0, -share * t0, t0]
-    of_loads(11, :) = [-(1 - share) * t9, -share * t9, t9]
+    of_loads(:, 10) = [-(1 - share) * t0, -share * t0, t0]
+    of_loads(:, 11) = [-(1 - share) * t9, -share * t9, t9]

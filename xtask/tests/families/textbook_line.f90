@@ -11,9 +11,9 @@
         along = projector(chosen(row_of), :) / n0(k) - n0(chosen(row_of)) * projector(k, :) / n0(k)**2
         share = n0(chosen(row_of)) / n0(k)
         y(row_of) = x1(chosen(row_of)) + share * (kept - x1(k))
-        slope(1:3, row_of) = -along * (kept - x1(k))
-        slope(4:6, row_of) = along * (kept - x1(k))
-        slope(chosen(row_of), row_of) = slope(chosen(row_of), row_of) + 1
-        slope(k, row_of) = slope(k, row_of) - share
-        slope(7, row_of) = share
+        slope(row_of, 1:3) = -along * (kept - x1(k))
+        slope(row_of, 4:6) = along * (kept - x1(k))
+        slope(row_of, chosen(row_of)) = slope(row_of, chosen(row_of)) + 1
+        slope(row_of, k) = slope(row_of, k) - share
+        slope(row_of, 7) = share
     end do
