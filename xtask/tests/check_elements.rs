@@ -231,7 +231,7 @@ fn a_slider_off_its_line_is_right_in_either_way() {
         ("dm = with_first * dt0 + with_second * dt9", "dm = with_first * dt0 - with_second * dt9"),
         ("dshare * on_m - (1 - share) * dm", "-(1 - share) * dm"),
         ("rhs(10:11) = g", "rhs(10:11) = -g"),
-        ("amatrx(10, 1:9) = -of_g(:, 1)", "amatrx(10, 1:9) = of_g(:, 1)"),
+        ("amatrx(10, 1:9) = -of_g(1, :)", "amatrx(10, 1:9) = of_g(1, :)"),
         ("-(1 - share) * on_m, -share * on_m, on_m", "-share * on_m, -(1 - share) * on_m, on_m"),
         ("dot_product(xm - x1, dt0)", "2 * dot_product(xm - x1, dt0)"),
         ("share = dot_product(xm - x1, n0) / length", "share = dot_product(xm - x1, n0)"),

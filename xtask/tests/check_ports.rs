@@ -62,7 +62,7 @@ const PLANTED: &[Planted] = &[
         Fortran,
         "slot.friction",
         Driver("((j_all(row, column), column = 1, inputs), row = 1, outputs)", "j_all"),
-        "the Jacobian is read column by column",
+        "the Jacobian is written column by column",
     ),
     planted(
         "row-major",

@@ -7,7 +7,7 @@ use std::fs;
 
 /// A copy of the chapters, and of the files that their numbers refer to.
 fn bench() -> Bench {
-    Bench::with(&["book/src", "tests/isl.rs", "tests/claims.rs", "src/toolkit/verify", "src/toolkit/bound"])
+    Bench::with(&["book/src", "tests", "src"])
 }
 
 /// Replaces a text of a chapter that occurs once.

@@ -27,7 +27,7 @@ use std::time::Instant;
   {command} equation  all that is printed
   {command} equation 'F = \\sqrt{a^2+b^2}' --against slot.contact_force --let a=f2 --let b=f3
   {command} equation 'fc = sqrt(f2^2 + f3^2)' --against slot.contact_force  as plain text
-  {command} equation '\\Phi = P - \\mu F_N' --against coulomb.yield  in the entry's symbols")]
+  {command} equation '\\Phi = P - \\mu F_N' --against coulomb.yield")]
 pub(crate) struct Arguments {
     /// The equation, in LaTeX or as plain text
     #[arg(requires = "against", allow_hyphen_values = true)]
