@@ -197,7 +197,8 @@ fn pressures_are_a_table_too() {
 #[test]
 fn memory_does_not_grow_with_the_states_of_a_table() {
     let bytes = |states: u32| {
-        let rows: String = (0..states).map(|time| format!("{time},2,0.5,0\n{time},PART-1.3,0.25,1\n")).collect();
+        let rows: Vec<_> = (0..states).map(|time| format!("{time},2,0.5,0\n{time},PART-1.3,0.25,1\n")).collect();
+        let rows = rows.concat();
         let scene = scene(&model("")).with_tables(tables(&format!("time,node,u1,ur1\n{rows}"), "")).unwrap();
         let plan = Plan::new(&scene);
         let mut run = Run::<f64>::new(&plan).unwrap();

@@ -156,7 +156,7 @@ fn what_is_printed_is_read_and_is_the_same_function() {
         let (spec, options) = (formula.spec(), Options { samples: 3, seed: 4 });
         let reading = Reading::of(spec.latex, &[], &formula.signature());
         let Ok(Reading::Function(equation)) = reading else { panic!("{}: {reading:?}", spec.id) };
-        let outputs: usize = formula.outputs().iter().map(|field| field.len()).sum();
+        let outputs: usize = formula.outputs().iter().map(jointproof::formula::Field::len).sum();
         assert_eq!(equation.places().len(), outputs, "{}", spec.id);
         let claim = formula.trial(&options).compare(&equation);
         assert!(claim.held() && claim.checks > 0, "{}: {claim:#?}", spec.id);

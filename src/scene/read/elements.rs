@@ -205,7 +205,9 @@ fn column_of(
         array.outline().expect(&[count as usize], "elements")?;
         let mut numbers = array.numbers(domain)?;
         if domain == Domain::Angle {
-            numbers.iter_mut().for_each(|angle| *angle = angles.radians(*angle));
+            for angle in &mut numbers {
+                *angle = angles.radians(*angle);
+            }
         }
         Ok(numbers.into())
     };

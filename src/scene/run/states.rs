@@ -131,7 +131,9 @@ impl<'s> ReadingTables<'s> {
                     allowed: "a table that does not change during the run".into(),
                 });
             }
-            state.into_iter().for_each(|state| frame.add(state));
+            if let Some(state) = state {
+                frame.add(state);
+            }
         }
         Ok(Some(frame))
     }

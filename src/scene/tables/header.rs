@@ -108,7 +108,7 @@ impl Header {
             [time, name].contains(place) || instance == Some(*place) || values.iter().any(|(value, _)| value == place)
         };
         let ignored = (0..names.len()).filter(|place| !is_used(place)).map(|place| names[place].clone()).collect();
-        Ok(Self { time, name, instance, values, ignored, names })
+        Ok(Self { names, time, name, instance, values, ignored })
     }
 }
 

@@ -115,7 +115,9 @@ impl Changed {
         for (quantity, of) in frame.changed() {
             let things = if matches!(quantity, Quantity::Loads(_)) { scene.elements.len() } else { scene.nodes.len() };
             let (_, is_changed) = self.0.entry(quantity.place()).or_insert_with(|| (quantity, vec![false; things]));
-            of.iter().for_each(|&number| is_changed[number as usize] = true);
+            for &number in of {
+                is_changed[number as usize] = true;
+            }
         }
     }
 }

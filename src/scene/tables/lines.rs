@@ -34,7 +34,7 @@ impl<'s> Lines<'s> {
             if lines.line.starts_with(b"\xef\xbb\xbf") {
                 lines.line.drain(..3);
             }
-            let count = |separator: u8| lines.line.iter().filter(|&&byte| byte == separator).count();
+            let count = |separator: u8| lines.line.split(|&byte| byte == separator).count();
             // Of equally frequent ones the last is taken. What Windows has before the end of a line is blank.
             let separator = [b'\t', b';', b','].into_iter().max_by_key(|&separator| count(separator)).unwrap_or(b',');
             lines.reader = ReaderBuilder::new().delimiter(separator).terminator(Terminator::Any(b'\n')).build();
@@ -75,9 +75,7 @@ impl<'s> Lines<'s> {
     }
 
     /// The number of bytes that persist from line to line.
-    pub(super) fn bytes(&self) -> usize {
-        BUFFER
-    }
+    pub(super) const BYTES: usize = BUFFER;
 
     fn read_line(&mut self) -> Result<bool, TableFault> {
         loop {

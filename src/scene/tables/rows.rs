@@ -88,7 +88,7 @@ impl<'s> Rows<'s> {
 
     /// The number of bytes that persist from state to state.
     pub(in crate::scene) fn bytes(&self) -> usize {
-        size_of_val(&*self.named) + self.lines.bytes()
+        size_of_val(&*self.named) + Lines::BYTES
     }
 
     /// A fault in a column of the current row.

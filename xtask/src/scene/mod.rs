@@ -146,8 +146,8 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     let mut scenes = Vec::new();
     for path in &arguments.files {
         match read(path)? {
-            Ok(Loaded { scene, left_out, text }) => match with_tables(arguments, scene) {
-                Ok(scene) => scenes.push((path, Loaded { scene, left_out, text })),
+            Ok(Loaded { scene, text, left_out }) => match with_tables(arguments, scene) {
+                Ok(scene) => scenes.push((path, Loaded { scene, text, left_out })),
                 Err(fault) => say(&fault.to_string()),
             },
             Err(report) => say(&report),

@@ -189,9 +189,8 @@ mod tests {
     use expect_test::expect_file;
     use jointproof::toolkit::measure::Quantiles;
 
-    fn bounds(_: &str) -> Option<String> {
-        Some("value: η ≤ 4, measured; Jacobian: η ≤ 5/3, proved".into())
-    }
+    const BOUNDS: &dyn Fn(&str) -> Option<String> =
+        &|_| Some("value: η ≤ 4, measured; Jacobian: η ≤ 5/3, proved".into());
 
     #[test]
     fn durations_have_three_digits_and_a_fitting_unit() {
@@ -206,8 +205,8 @@ mod tests {
     fn a_report_says_what_was_measured() {
         let report = crate::sample::report();
         let plain = |text: String| anstream::adapter::strip_str(&text).to_string();
-        expect_file!["../../tests/printed/report.txt"].assert_eq(&plain(text(&report, &bounds).unwrap()));
-        expect_file!["../../tests/printed/report.md"].assert_eq(&plain(markdown(&report, &bounds).unwrap()));
+        expect_file!["../../tests/printed/report.txt"].assert_eq(&plain(text(&report, BOUNDS).unwrap()));
+        expect_file!["../../tests/printed/report.md"].assert_eq(&plain(markdown(&report, BOUNDS).unwrap()));
     }
 
     #[test]
@@ -246,8 +245,8 @@ mod tests {
         let line = "300 rows of columns, 40 bytes each: a loop 50.0 ns; a batch 20.0 ns, that is 0.40 of the loop and 2.5 of a \
                     copy; with 3 threads 10.0 ns, 0.20 and 5.5";
         for (text, line) in [
-            (text(&report, &bounds).unwrap(), format!("\n    {line}\n")),
-            (markdown(&report, &bounds).unwrap(), format!("\n\n{line}.\n")),
+            (text(&report, BOUNDS).unwrap(), format!("\n    {line}\n")),
+            (markdown(&report, BOUNDS).unwrap(), format!("\n\n{line}.\n")),
         ] {
             assert_eq!(text.matches(&line).count(), 1, "{text}");
             assert!(text.contains("a target a profile, -C something, seed 9\n"), "{text}");
