@@ -42,7 +42,7 @@ use std::path::PathBuf;
   {command} export --lang fortran --out jp --filter '{family}.*'  one family
   {command} export --lang js --out jp --check             and compare every bit
   {command} export --lang c --out jp --speed              and time it, compared with Rust
-  {command} export --lang c --out jp --element slot       an element, with and without friction
+  {command} export --lang c --out jp --element slot       an element
   {command} export --shell uel --element slot --out jp    an element for Abaqus, in one file
   {command} export --shell uel --element slot --element hinge --fixed --out jp")]
 pub(crate) struct Arguments {
