@@ -106,7 +106,10 @@ fn what_cannot_be_read_is_named_with_its_place() {
         (r"F_C = \hat{f}_2 + f_3", "byte 6: hat f_2 is nobody's symbol"),
         (r"F_C = \sqrt[3]{f_2}", "byte 11: a square root: others are powers, as in `x^{3/2}`; was expected here"),
         (r"F_C = \sin f_2^2", r"byte 14: this is read in two ways: write `\sin^2 x` or `\sin(x^2)`"),
-        (r"F_C = f_2^{1/3} + f_3", "byte 9: a power is a whole number up to 9, half of one, or the negative of either"),
+        (
+            r"F_C = f_2^{1/3} + f_3",
+            "byte 12: a power is a whole number up to 9, half of one, or the negative of either",
+        ),
         (r"F_C = |f_2 + f_3", r"byte 16: the bar that closes this size, `\rvert` or `|`, was expected here"),
         (r"F_C = f_2/f_3 f_2", "byte 14: what follows a slash and its divisor is read in two ways: use a fraction"),
         (r"F_C = f_2 f_3\quad \text{if } f_2 > 0", r"byte 30: an operator, a comma or `\quad` was expected here"),

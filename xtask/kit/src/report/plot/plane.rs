@@ -91,12 +91,13 @@ struct Box {
 /// The first position around a mark where its label covers nothing.
 fn label_place(name: &str, [x, y]: [f64; 2], taken: &mut Vec<Box>) -> (&'static str, [f64; 2]) {
     #[expect(clippy::cast_precision_loss, reason = "a short name")]
-    let width = 6.4 * name.chars().count() as f64;
+    let width = 7.0 * name.chars().count() as f64;
     let around = |distance: f64| {
         [y - distance, y + distance].map(|y| [("middle", x, y), ("", x + 6.0, y), ("end", x - 6.0, y)]).concat()
     };
     let beside = vec![("", x + 8.0, y), ("end", x - 8.0, y)];
-    let candidates = [beside, around(13.0), around(26.0), around(39.0), around(52.0)].concat();
+    let lines = (1..=12).flat_map(|lines| around(13.0 * f64::from(lines)));
+    let candidates: Vec<_> = beside.into_iter().chain(lines).collect();
     let covered = |&(class, x, y): &(&str, f64, f64)| {
         let left = match class {
             "end" => x - width,
