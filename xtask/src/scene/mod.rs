@@ -43,10 +43,10 @@ use std::time::{Duration, Instant};
   {command} scene golden/scenes/rail.json --plot .   an SVG per output over the history
   {command} scene *.json --format csv > all.csv      for a spreadsheet
   {command} scene - --format json < my.json          from standard input
-  {command} scene my.json --history u.csv            a table of displacements as the history
+  {command} scene my.json --history u.csv            displacements
   {command} scene my.json --out results.npz          for numpy: np.load('results.npz')
   {command} scene my.inp --write my.json             the scene that a deck describes
-  {command} scene my.inp --describe --out my.html    where its connectors are at the start, drawn
+  {command} scene my.inp --describe --out my.html    drawn
   {command} scene --generate 10000 > many.json       a scene to measure with
   {command} scene --generate 100 --columns a.npz > a.json    another, its numbers as arrays
   {command} scene --benchmark                        what an element costs per state")]
