@@ -10,6 +10,7 @@ mod claims;
 mod closest;
 mod columns;
 mod common;
+mod draw;
 mod elements;
 mod equations;
 mod frame;

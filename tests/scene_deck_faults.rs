@@ -1,5 +1,6 @@
 //! Mistakes in decks: each is named by its line, and none causes a panic.
 
+use crate::draw::Draw;
 use jointproof::scene::{Deck, Faults, Results};
 use std::fmt::Write;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -192,23 +193,6 @@ O
     let radians = GUIDE.replace("-20., 20.", "-20., 0.5");
     let found = left_out(&radians);
     assert!(found[0].starts_with("! *CONNECTOR STOP (line 17): 0.5, read in degrees"), "{found:?}");
-}
-
-/// Numbers of a fixed sequence (SplitMix64), so that a deck can be made again from its number.
-struct Draw(u64);
-
-impl Draw {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        z ^ (z >> 31)
-    }
-
-    /// An index below `end`, which is not 0.
-    fn below(&mut self, end: usize) -> usize {
-        usize::try_from(self.next() % u64::try_from(end).unwrap()).unwrap()
-    }
 }
 
 /// A deck of 2000 lines: slots and hinges, each section with a behavior of its own.

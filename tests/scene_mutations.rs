@@ -1,26 +1,10 @@
 //! Mutated scenes: whatever the input, reading and evaluating end with results or with faults that have a location, never with a
 //! panic.
 
+use crate::draw::Draw;
 use jointproof::scene::{Results, Scene};
 use serde_json::{Map, Value, json};
 use std::panic::{AssertUnwindSafe, catch_unwind};
-
-/// Numbers of a fixed sequence (SplitMix64), so that a mutant can be reproduced from its number.
-struct Draw(u64);
-
-impl Draw {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        z ^ (z >> 31)
-    }
-
-    /// An index below `end`, which is not 0.
-    fn below(&mut self, end: usize) -> usize {
-        usize::try_from(self.next() % u64::try_from(end).unwrap()).unwrap()
-    }
-}
 
 /// Values of every type, most of them invalid where they are inserted.
 fn odd(draw: &mut Draw) -> Value {
