@@ -1,12 +1,15 @@
 //! Every mistake that is looked for, the simplest first.
 
 use super::change::{Change, changes};
-use super::model::{Inputs, Link, Model, Scope, Textbook, Times};
+use super::model::{Inputs, Link, Model, Powers, Scope, Textbook, Times, product};
 use super::sample::Evidence;
 use super::words::Words;
 use super::{factors, inputs, permuted, symmetric};
 use crate::question::Wanted;
 use jointproof::toolkit::graph::{Binary, Node, Op, Unary};
+
+/// So many results, those that are computed first, are tried in pairs.
+const FIRST: usize = 300;
 
 /// All mistakes in the order in which they are named.
 pub(super) fn mistakes(evidence: &Evidence<'_>, book: Option<&Textbook>) -> Vec<Model> {
@@ -79,47 +82,80 @@ fn entries(evidence: &Evidence<'_>) -> Vec<Model> {
     all
 }
 
-/// Wrong numbers that are right ones times a result of the formula, or divided by one.
+/// Wrong numbers that are right ones times a power of a result of the formula.
 fn by_results(evidence: &Evidence<'_>, book: &Textbook) -> Vec<Model> {
+    let numbers = numbers(book);
+    let powers = numbers.iter().flat_map(|node| [1, -1, 2, -2].map(|power| vec![(*node, power)]));
+    by_powers(evidence, book, &powers.collect::<Vec<_>>())
+}
+
+/// The same with a product or a quotient of two results. Nearly everything is one of something, so this is looked for last.
+pub(super) fn by_two_results(evidence: &Evidence<'_>, book: &Textbook) -> Vec<Model> {
+    let mut numbers = numbers(book);
+    numbers.truncate(FIRST);
+    let length: Vec<_> = numbers.iter().map(|node| book.graph.needed(&[*node]).len()).collect();
+    let mut pairs: Vec<_> = (0..numbers.len()).flat_map(|b| (0..b).map(move |a| (a, b))).collect();
+    // The shortest expression of a product is its name.
+    pairs.sort_by_key(|&(a, b)| length[a] + length[b]);
+    let powers = pairs
+        .into_iter()
+        .flat_map(|(a, b)| [[1, -1], [-1, 1], [1, 1], [-1, -1]].map(|[p, q]| vec![(numbers[a], p), (numbers[b], q)]));
+    by_powers(evidence, book, &powers.collect::<Vec<_>>())
+}
+
+/// The results of a formula that are no literals, and not those of comparisons.
+fn numbers(book: &Textbook) -> Vec<Node> {
+    let is_number = |node: &Node| !matches!(book.graph.op(*node), Op::Compare(..) | Op::Number(_) | Op::Select(..));
+    book.needed.iter().copied().filter(is_number).collect()
+}
+
+/// Wrong numbers that are right ones times one of these products.
+fn by_powers(evidence: &Evidence<'_>, book: &Textbook, known: &[Powers]) -> Vec<Model> {
     let words = Words::new(evidence.court.formula, book, &evidence.samples);
     let samples = evidence.off_samples(&evidence.off);
     let results: Vec<Vec<f64>> = samples.iter().map(|sample| book.results(&sample.inputs)).collect();
-    let mut groups: Vec<(Node, i32, Vec<usize>)> = Vec::new();
+    let mut groups: Vec<(Powers, Vec<usize>)> = Vec::new();
     for &place in &evidence.off {
         // The ratio tells most where the number is large.
         let ratio = |sample: &super::sample::Sample| {
             let is_large = sample.right[place].abs() > 1e-3 * sample.scale[place];
             is_large.then(|| Some(sample.found[place]? / sample.right[place])).flatten()
         };
-        let ratios: Vec<_> = samples.iter().map(|sample| ratio(sample)).collect();
-        if ratios.iter().flatten().count() < 4 {
+        let ratios = samples.iter().zip(&results).filter_map(|(sample, all)| Some((ratio(sample)?, all.as_slice())));
+        let ratios: Vec<_> = ratios.collect();
+        if ratios.len() < 4 {
             continue;
         }
-        let fits = |node: Node, power: i32| {
-            ratios.iter().zip(&results).all(|(ratio, all)| {
-                ratio.is_none_or(|ratio| (ratio - all[node.index()].powi(power)).abs() <= 1e-7 * ratio.abs())
-            })
+        let fits = |powers: &[(Node, i32)]| {
+            ratios.iter().all(|(ratio, all)| (ratio - product(all, powers)).abs() <= 1e-7 * ratio.abs())
         };
-        let is_number =
-            |node: &&Node| !matches!(book.graph.op(**node), Op::Compare(..) | Op::Number(_) | Op::Select(..));
-        let known = book.needed.iter().filter(is_number).flat_map(|node| [1, -1, 2, -2].map(|power| (*node, power)));
-        if let Some((node, power)) = known.into_iter().find(|&(node, power)| fits(node, power)) {
-            match groups.iter_mut().find(|(other, others_power, _)| (*other, *others_power) == (node, power)) {
-                Some((.., places)) => places.push(place),
-                None => groups.push((node, power, vec![place])),
-            }
+        if let Some((_, places)) = groups.iter_mut().find(|(powers, _)| fits(powers)) {
+            places.push(place);
+            continue;
+        }
+        if let Some(powers) = known.iter().find(|powers| fits(powers)) {
+            groups.push((powers.clone(), vec![place]));
         }
     }
-    let model = |(node, power, places): (Node, i32, Vec<usize>)| {
-        let name = words.name(node);
-        let factor = match power {
-            1 => format!("multiplied by {name} too often, or not divided by it"),
-            -1 => format!("divided by {name} too often, or not multiplied by it"),
-            2 => format!("multiplied by the square of {name} too often, or not divided by it"),
-            _ => format!("divided by the square of {name} too often, or not multiplied by it"),
+    let model = |(powers, places): (Powers, Vec<usize>)| {
+        let is_divided = powers.iter().all(|(_, power)| *power < 0);
+        let turn = if is_divided { -1 } else { 1 };
+        let power = |&(node, power): &(Node, i32)| {
+            let name = words.name(node);
+            let name = if power.abs() == 2 { format!("the square of {name}") } else { name };
+            (name, power * turn > 0)
+        };
+        let (above, below): (Vec<_>, Vec<_>) = powers.iter().map(power).partition(|(_, is_above)| *is_above);
+        let names = |of: Vec<(String, bool)>| of.into_iter().map(|(name, _)| name).collect::<Vec<_>>().join(" times ");
+        let below = if below.is_empty() { String::new() } else { format!(" over {}", names(below)) };
+        let name = names(above) + &below;
+        let factor = if is_divided {
+            format!("divided by {name} too often, or not multiplied by it")
+        } else {
+            format!("multiplied by {name} too often, or not divided by it")
         };
         let whose = factors::whose(evidence, &places.iter().copied().collect());
-        Model { scaled: vec![(places, node, power)], ..Model::new(format!("{factor}: {whose}")) }
+        Model { scaled: vec![(places, powers)], ..Model::new(format!("{factor}: {whose}")) }
     };
     groups.into_iter().map(model).collect()
 }

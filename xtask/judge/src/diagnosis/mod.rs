@@ -61,6 +61,7 @@ pub(super) fn diagnose(
         .or_else(|| book.as_ref().and_then(|book| within_branch(&evidence, book)))
         .or_else(|| Some(Diagnosis { causes: vec![precision::cause(&evidence, &evidence.off)?], explained: [all; 2] }))
         .or_else(|| tried.several().map(described))
+        .or_else(|| tried.two_results().map(described))
         .or_else(|| by_parts(&evidence, book.as_ref()))
         .unwrap_or_default()
 }
@@ -79,7 +80,8 @@ fn within_branch(evidence: &Evidence<'_>, book: &Textbook) -> Option<Diagnosis> 
         }
         let there = evidence.samples.iter().filter(|sample| holds(sample) == side).cloned().collect();
         let there = Evidence::of(evidence.court, there);
-        if let Some(found) = Tried::new(&there, Some(book)).one() {
+        let tried = Tried::new(&there, Some(book));
+        if let Some(found) = tried.one().or_else(|| tried.two_results()) {
             let name = words.side(comparison, side);
             let elsewhere = evidence.samples.len() - there.samples.len();
             return Some(Diagnosis {

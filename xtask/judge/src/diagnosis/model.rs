@@ -186,6 +186,14 @@ impl Textbook {
     }
 }
 
+/// Results of the formula, and the powers of them that are multiplied.
+pub(super) type Powers = Vec<(Node, i32)>;
+
+/// The product of these powers of results.
+pub(super) fn product(results: &[f64], powers: &[(Node, i32)]) -> f64 {
+    powers.iter().map(|(node, power)| results[node.index()].powi(*power)).product()
+}
+
 /// A factor too much in the derivative of an operation by one of its operands, or by all.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Link {
@@ -251,8 +259,8 @@ pub(super) struct Model {
     /// The numbers that are affected; all, if none are named.
     pub(super) only: Vec<usize>,
     pub(super) maps: Vec<Map>,
-    /// Numbers that are multiplied by a power of a result.
-    pub(super) scaled: Vec<(Vec<usize>, Node, i32)>,
+    /// Numbers that are multiplied by powers of results.
+    pub(super) scaled: Vec<(Vec<usize>, Powers)>,
 }
 
 impl Model {
@@ -348,9 +356,12 @@ impl Model {
         };
         if let Some(book) = book.filter(|_| !self.scaled.is_empty()) {
             let results = book.results(&sample.inputs);
-            for (places, node, power) in &self.scaled {
-                for place in places {
-                    answer[*place] *= results[node.index()].powi(*power);
+            for (places, powers) in &self.scaled {
+                let factor = product(&results, powers);
+                for &place in places {
+                    // What becomes of zero times infinity depends on how it is computed.
+                    let is_open = answer[place] == 0.0 && !factor.is_finite();
+                    answer[place] = sample.found[place].filter(|_| is_open).unwrap_or(answer[place] * factor);
                 }
             }
         }

@@ -1,6 +1,6 @@
 //! Searches for the smallest set of known mistakes that explains the answers.
 
-use super::mistakes::{fitted, mistakes};
+use super::mistakes::{by_two_results, fitted, mistakes};
 use super::model::{Model, Textbook};
 use super::sample::{Evidence, Sample};
 use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, IntoParallelRefIterator, ParallelIterator};
@@ -44,6 +44,12 @@ impl<'a> Tried<'a> {
             let fitted = fitted(trial.evidence, trial.book?);
             fitted.iter().filter(|model| trial.fits_screen(model)).find_map(|model| trial.verified(model))
         })
+    }
+
+    /// A product or a quotient of two results of the formula that is too much.
+    pub(super) fn two_results(&self) -> Option<Explanation> {
+        let models = by_two_results(self.trial.evidence, self.trial.book?);
+        models.iter().find_map(|model| self.trial.verified(model))
     }
 
     /// Two mistakes that explain nearly every sample, or three.

@@ -165,6 +165,7 @@ pub(super) const PLANTS: &[(&str, &str, Wanted, Plant)] = &[
         Value,
         After(|x, y| y[0] = if x[0].abs() < x[1] * x[2] { slips(x) } else { x[0] }),
     ),
+    ("a factor of two results, in slip", "coulomb.return_map_2d", Jacobian, After(slip_tangent_without_factor)),
     ("a term", "slot.normal_force", Value, After(|x, y| y[0] = x[0].abs())),
     ("another input", "slot.friction", Value, After(|x, y| (y[1], y[2]) = friction(x, x[1].hypot(x[3])))),
     ("half of it explained", "slot.friction", Jacobian, After(|x, y| (y[0], y[PHI + 4]) = (-y[0], x[1]))),
@@ -300,6 +301,15 @@ fn single(x: f64) -> f64 {
 fn friction(x: &[f64], fc: f64) -> (f64, f64) {
     let normal = (fc + x[3]).abs();
     (normal, x[0].abs() - x[4] * normal)
+}
+
+/// The tangent of `coulomb.return_map_2d` where it slips, without μ `F_N` / |f|.
+fn slip_tangent_without_factor(x: &[f64], y: &mut [f64]) {
+    let (trial, limit) = (x[0].hypot(x[1]), x[2] * x[3]);
+    if trial >= limit && trial > 0.0 {
+        let [a, b] = [x[0], x[1]].map(|component| component / trial);
+        (y[2], y[3], y[6], y[7]) = (b * b, -a * b, -a * b, a * a);
+    }
 }
 
 /// The force transmitted by `coulomb.return_map` during slip.
