@@ -157,10 +157,7 @@ pub(super) fn blocks_of(sources: &mut Sources, file: u32, folder: Option<&Path>,
 /// Reads a file of the deck's folder.
 fn include(sources: &mut Sources, name: &str, folder: Option<&Path>, depth: usize) -> Result<u32, (String, String)> {
     let Some(folder) = folder else {
-        return Err((
-            format!("{name:?} in a text that is in no folder"),
-            "a deck that is read from a file".into(),
-        ));
+        return Err((format!("{name:?} in a text that is in no folder"), "a deck that is read from a file".into()));
     };
     if depth > DEPTH {
         return Err((format!("{name:?}, included by {DEPTH} files"), format!("at most {DEPTH} files in each other")));

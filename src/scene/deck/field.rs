@@ -41,7 +41,8 @@ impl Label {
     pub(super) fn new(text: &str) -> Option<Self> {
         if let Some((instance, rest)) = Self::split(text) {
             let rest = Self::new(rest)?;
-            let [shown, key] = [(instance.shown, rest.shown), (instance.key, rest.key)].map(|(a, b)| format!("{a}.{b}"));
+            let [shown, key] =
+                [(instance.shown, rest.shown), (instance.key, rest.key)].map(|(a, b)| format!("{a}.{b}"));
             return Some(Self { shown, key });
         }
         let quoted = text.strip_prefix('"').and_then(|text| text.strip_suffix('"'));

@@ -82,17 +82,8 @@ fn is_slip(one: &str, other: &str) -> bool {
 }
 
 /// The keywords that the walk through the blocks reads.
-const WALKED: [&str; 9] = [
-    "INCLUDE",
-    "PART",
-    "END PART",
-    "ASSEMBLY",
-    "END ASSEMBLY",
-    "INSTANCE",
-    "END INSTANCE",
-    "STEP",
-    "END STEP",
-];
+const WALKED: [&str; 9] =
+    ["INCLUDE", "PART", "END PART", "ASSEMBLY", "END ASSEMBLY", "INSTANCE", "END INSTANCE", "STEP", "END STEP"];
 
 /// Keywords that are not read, with which one that is read begins.
 const OTHERS: [&str; 3] = ["SURFACE", "TORQUE", "END"];
@@ -143,10 +134,26 @@ const KEYWORDS: &[Keyword] = &[
         &["NAME", "SYSTEM", "DEFINITION"],
         mesh::orientation,
         &[
-            ["SYSTEM=RECTANGULAR (the default): a on the first axis, b in the plane of the first two, the origin", "`axes` or `angle`", "L"],
-            ["SYSTEM=Z RECTANGULAR: a on the third axis, b in the plane of the third and the first, the origin", "`axes` or `angle`", "L"],
-            ["SYSTEM=CYLINDRICAL: a and b on the axis", "`axes` at the node: along the radius, around, along the axis", "L"],
-            ["SYSTEM=SPHERICAL: the centre a, b on the polar axis", "`axes` at the node: along the radius, around, along the meridian", "L"],
+            [
+                "SYSTEM=RECTANGULAR (the default): a on the first axis, b in the plane of the first two, the origin",
+                "`axes` or `angle`",
+                "L",
+            ],
+            [
+                "SYSTEM=Z RECTANGULAR: a on the third axis, b in the plane of the third and the first, the origin",
+                "`axes` or `angle`",
+                "L",
+            ],
+            [
+                "SYSTEM=CYLINDRICAL: a and b on the axis",
+                "`axes` at the node: along the radius, around, along the axis",
+                "L",
+            ],
+            [
+                "SYSTEM=SPHERICAL: the centre a, b on the polar axis",
+                "`axes` at the node: along the radius, around, along the meridian",
+                "L",
+            ],
             ["DEFINITION=NODES", "nodes in place of coordinates", ""],
             ["second line: axis, angle", "`axes` or `angle`: rotated about it", "degrees"],
         ],
@@ -212,12 +219,17 @@ const KEYWORDS: &[Keyword] = &[
     keyword("TORQUE PRINT", &["FREQUENCY"], contact::torque_print, &[["FREQUENCY", "`torque_frequency`", ""]])
         .below()
         .in_steps(),
-    keyword("ELEMENT OUTPUT", &["ELSET", "VARIABLE"], requests::read, REQUESTED).below().in_steps(),
-    keyword("EL PRINT", &["ELSET"], requests::read, REQUESTED).below().in_steps(),
-    keyword("EL FILE", &["ELSET"], requests::read, REQUESTED).below().in_steps(),
+    requested("ELEMENT OUTPUT"),
+    requested("EL PRINT"),
+    requested("EL FILE"),
 ];
 
-const REQUESTED: &[[&str; 3]] = &[["names of outputs", "`outputs` of the elements", ""]];
+const fn requested(name: &'static str) -> Keyword {
+    keyword(name, &["ELSET", "VARIABLE"], requests::read, &[["names of outputs", "`outputs` of the elements", ""]])
+        .without_effect(&["DIRECTIONS", "FREQUENCY", "POSITION", "SUMMARY", "TOTALS"])
+        .below()
+        .in_steps()
+}
 
 /// What each keyword gives: the keyword, where it is given, the key of the scene, and the unit.
 pub fn table() -> Vec<[String; 4]> {

@@ -187,7 +187,11 @@ pub(super) fn orientation(reading: &mut Reading, block: &Block) {
     let points = match (system, definition, first) {
         (None, ..) | (_, Definition::OfElements, _) => None,
         (.., None) => {
-            return reading.fault(block.place, "no data line", "a line with points a and b, and the origin if it is not 0");
+            return reading.fault(
+                block.place,
+                "no data line",
+                "a line with points a and b, and the origin if it is not 0",
+            );
         }
         (_, Definition::Nodes, Some(line)) => points_by_nodes(reading, line),
         (_, Definition::Coordinates, Some(line)) => points(reading, line),
@@ -196,7 +200,8 @@ pub(super) fn orientation(reading: &mut Reading, block: &Block) {
     let points = points.filter(|_| lines.next().is_none());
     let turn = second.filter(|_| points.is_some()).and_then(|line| turn(reading, line));
     let (motion, system) = (reading.motion.clone(), system.unwrap_or(System::Rectangular));
-    let orientation = Orientation { shown: label.shown, place, system, points, turn, motion };
+    let of_axes = first.filter(|_| points.is_some()).map_or(place, |line| line.place);
+    let orientation = Orientation { shown: label.shown, place: of_axes, system, points, turn, motion };
     if let Some(known) = reading.model.orientations.insert((reading.scope, label.key), orientation) {
         reading.fault(place, format!("orientation {:?} for the second time", known.shown), "each name once");
     }

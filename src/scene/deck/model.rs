@@ -108,6 +108,7 @@ pub(super) struct Reference {
 /// A system of axes.
 pub(super) struct Orientation {
     pub(super) shown: String,
+    /// That of its points, if it has any.
     pub(super) place: Place,
     pub(super) system: System,
     /// `None` if it is described in another way, which connectors do not have.

@@ -45,15 +45,17 @@ fn parts(
         match of {
             Members::One(number) => found.push((*scope, [*number, *number, 1], *place)),
             Members::Range(first, last, step) => found.push((*scope, [*first, *last, *step], *place)),
-            Members::Set(key) => match candidates(model, *scope, key).into_iter().find(|name| sets.contains_key(name)) {
-                None => missing(key, *place),
-                Some(name) => {
-                    let items = sets[&name].iter();
-                    if entered.insert(name) {
-                        open.push(items);
+            Members::Set(key) => {
+                match candidates(model, *scope, key).into_iter().find(|name| sets.contains_key(name)) {
+                    None => missing(key, *place),
+                    Some(name) => {
+                        let items = sets[&name].iter();
+                        if entered.insert(name) {
+                            open.push(items);
+                        }
                     }
                 }
-            },
+            }
         }
     }
     found

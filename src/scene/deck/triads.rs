@@ -110,7 +110,8 @@ fn triad(
     };
     let (points, motion) = match points {
         None => {
-            let found = format!("orientation {shown:?}, by nodes of each element, a distribution, a program or several angles");
+            let found =
+                format!("orientation {shown:?}, by nodes of each element, a distribution, a program or several angles");
             log.fault(*place, found, "points a and b, the origin, and one angle, for connectors");
             return None;
         }

@@ -88,7 +88,7 @@ fn one(reading: &mut Reading, block: &Block) {
 
 fn unknown(reading: &mut Reading, block: &Block) {
     if let Some(meant) = Keyword::meant(&block.name) {
-        return reading.fault(block.place, &*block.shown, format!("*{meant}, spelled out"));
+        return reading.fault(block.place, "an unknown keyword", format!("*{meant}, spelled out"));
     }
     if matches!(reading.context, Context::Behavior(_)) && block.name.starts_with("CONNECTOR") {
         return super::connector::other(reading, block);

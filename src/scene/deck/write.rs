@@ -48,7 +48,9 @@ pub(super) fn write(model: &Model, log: &mut Log) -> Text {
     let interfaces = owners(named, "interface", &|element| element.of.slides(), log);
     let (triads, is_used) = (Triads::default(), vec![false; model.nodes.len()]);
     let sliders = sliders(model, log);
-    let has = |index: usize| lines[index].is_some() || sections[index].is_some_and(|section| !plans[section as usize].is_empty());
+    let has = |index: usize| {
+        lines[index].is_some() || sections[index].is_some_and(|section| !plans[section as usize].is_empty())
+    };
     let requested = Requested::of(model, &has, log);
     let mut draft = Draft { model, dimension, sections, lines, interfaces, plans, sliders, requested, triads, is_used };
     draft.check(log);
@@ -361,7 +363,8 @@ impl<'m> Draft<'m> {
     /// The outputs of the scene: of each kind those that all its elements have.
     fn outputs(&self) -> Vec<&'static str> {
         let mut of_kinds: IndexMap<&'static str, (&'static Kind, u64)> = IndexMap::new();
-        let mut note = |kind: &'static Kind, outputs: u64| of_kinds.entry(kind.name).or_insert((kind, outputs)).1 &= outputs;
+        let mut note =
+            |kind: &'static Kind, outputs: u64| of_kinds.entry(kind.name).or_insert((kind, outputs)).1 &= outputs;
         for (index, element) in self.model.elements.values().enumerate() {
             for plan in self.plans_of(index) {
                 note(plan.kind, self.outputs_of(index, plan.kind, plan.outputs));
