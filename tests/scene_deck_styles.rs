@@ -266,13 +266,13 @@ CU1, PEEQ
         ]
     );
     // All outputs: asked for, or because nothing that is asked for exists here.
-    let all = ["*ELEMENT OUTPUT, VARIABLE=ALL\n", "*ELEMENT OUTPUT\nCTF, CRF\n"].map(|request| {
+    let all = ["*ELEMENT OUTPUT, VARIABLE=ALL\n", "*ELEMENT OUTPUT\nCTF, CRF\n", "*EL PRINT\nS, E\n"].map(|request| {
         let (before, rest) = deck.split_once("*ELEMENT OUTPUT").unwrap();
         let (_, after) = rest.split_once("*OUTPUT, FIELD").unwrap();
         let scene = Deck::parse(&format!("{before}{request}*OUTPUT, FIELD{after}")).unwrap().scene().unwrap();
         Results::of(&scene).unwrap().series
     });
-    assert_eq!(all[0], all[1]);
+    assert!(all[0] == all[1] && all[0] == all[2]);
     assert!(all[0].len() > 20, "{}", all[0].len());
 }
 

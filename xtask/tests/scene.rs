@@ -349,6 +349,7 @@ fn a_deck_is_a_scene_that_can_be_written_and_says_what_is_left_out() {
         .run(&["scene", &gate(), "--format", "csv", "--deny-warnings"])
         .exits(1)
         .says("left out: *MATERIAL (line 49): not read");
+    bench.run(&["scene", &gate(), "--describe", "--deny-warnings"]).exits(1).says("*CONNECTOR DAMPING (line 47)");
     bench.run(&["scene", &scene("rail.json"), "--write", "x.json"]).bad_usage("--write takes the scene of one deck");
 }
 

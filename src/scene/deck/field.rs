@@ -39,12 +39,13 @@ pub(super) struct Label {
 impl Label {
     /// `None` if it is empty, or if a quote is not closed. A name in an instance, `instance.name`, may have quotes around each.
     pub(super) fn new(text: &str) -> Option<Self> {
-        if let Some((instance, rest)) = Self::split(text) {
-            let rest = Self::new(rest)?;
-            let [shown, key] =
-                [(instance.shown, rest.shown), (instance.key, rest.key)].map(|(a, b)| format!("{a}.{b}"));
-            return Some(Self { shown, key });
-        }
+        let Some((instance, rest)) = Self::split(text) else { return Self::one(text) };
+        let rest = Self::one(rest)?;
+        let [shown, key] = [(instance.shown, rest.shown), (instance.key, rest.key)].map(|(a, b)| format!("{a}.{b}"));
+        Some(Self { shown, key })
+    }
+
+    fn one(text: &str) -> Option<Self> {
         let quoted = text.strip_prefix('"').and_then(|text| text.strip_suffix('"'));
         let shown = quoted.map_or_else(|| without_blanks(text), Cow::Borrowed);
         let key = if quoted.is_some() { shown.clone().into() } else { shown.to_uppercase() };
@@ -58,7 +59,7 @@ impl Label {
             quoted ^= byte == b'"';
             byte == b'.' && !quoted
         })?;
-        Some((Self::new(text[..period].trim())?, text[period + 1..].trim()))
+        Some((Self::one(text[..period].trim())?, text[period + 1..].trim()))
     }
 }
 

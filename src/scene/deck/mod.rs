@@ -105,6 +105,11 @@ impl Deck {
         &self.text.json
     }
 
+    /// The same, without the deck.
+    pub fn into_text(self) -> String {
+        self.text.json
+    }
+
     /// What of the deck the scene does not have, in order.
     pub fn left_out(&self) -> &[LeftOut] {
         &self.left_out

@@ -29,10 +29,10 @@ pub(super) struct Requested(Vec<(Names, Vec<bool>)>);
 type Names = Option<Vec<&'static str>>;
 
 impl Requested {
-    /// The requests about elements that the scene has; what of them is left out.
-    pub(super) fn of(model: &Model, has: &dyn Fn(usize) -> bool, log: &mut Log) -> Self {
+    /// The requests about elements that the scene has, which are of these kinds; what of them is left out.
+    pub(super) fn of(model: &Model, kinds: &[&'static Kind], has: &dyn Fn(usize) -> bool, log: &mut Log) -> Self {
         let mut all = Self::default();
-        let known: Vec<_> = Kind::all().flat_map(Kind::outputs).map(|(name, _)| name).collect();
+        let known: Vec<_> = kinds.iter().flat_map(|kind| kind.outputs()).map(|(name, _)| name).collect();
         for Request { of, names, place } in &model.requests {
             let is_of = match of {
                 None => vec![true; model.elements.len()],
@@ -48,7 +48,8 @@ impl Requested {
             };
             let mut ours = Vec::new();
             for (name, place) in names {
-                let same = same_outputs(name);
+                let mut same = same_outputs(name);
+                same.retain(|name| known.contains(name));
                 if same.is_empty() {
                     let similar = meant(name, &known).map(|similar| format!("; similar is {similar}"));
                     let what = format!("the output {name}{}", similar.as_deref().unwrap_or_default());

@@ -48,10 +48,13 @@ pub(super) fn write(model: &Model, log: &mut Log) -> Text {
     let interfaces = owners(named, "interface", &|element| element.of.slides(), log);
     let (triads, is_used) = (Triads::default(), vec![false; model.nodes.len()]);
     let sliders = sliders(model, log);
-    let has = |index: usize| {
-        lines[index].is_some() || sections[index].is_some_and(|section| !plans[section as usize].is_empty())
-    };
-    let requested = Requested::of(model, &has, log);
+    let is_planned = |section: u32| !plans[section as usize].is_empty();
+    let has = |index: usize| lines[index].is_some() || sections[index].is_some_and(is_planned);
+    let is_there = |of: &Type| model.elements.values().any(|element| element.of == *of);
+    let slide = [Type::Linear, Type::Parabolic].into_iter().filter(is_there);
+    let slide = slide.filter_map(|of| sliding_kind(of, dimension));
+    let kinds: Vec<_> = plans.iter().flatten().map(|plan| plan.kind).chain(slide).collect();
+    let requested = Requested::of(model, &kinds, &has, log);
     let mut draft = Draft { model, dimension, sections, lines, interfaces, plans, sliders, requested, triads, is_used };
     draft.check(log);
     draft.write(&mut text, log);
@@ -369,7 +372,7 @@ impl<'m> Draft<'m> {
             for plan in self.plans_of(index) {
                 note(plan.kind, self.outputs_of(index, plan.kind, plan.outputs));
             }
-            if let Some(kind) = self.sliding_kind(element) {
+            if let Some(kind) = sliding_kind(element.of, self.dimension) {
                 note(kind, self.outputs_of(index, kind, u64::MAX));
             }
         }
@@ -401,19 +404,10 @@ impl<'m> Draft<'m> {
         }
     }
 
-    fn sliding_kind(&self, element: &Element) -> Option<&'static Kind> {
-        let name = match element.of {
-            Type::Linear => "isl21a",
-            Type::Parabolic => "isl22a",
-            Type::Connector | Type::PlaneConnector => return None,
-        };
-        Kind::find(name, self.dimension)
-    }
-
     fn write_elements(&self, text: &mut Text, outputs: &[&str]) {
         let of_deck = self.model.elements.iter().enumerate().flat_map(|(index, (&number, element))| {
             let plans = self.plans_of(index);
-            let sliding = self.lines[index].and_then(|line| Some((self.sliding_kind(element)?, line)));
+            let sliding = self.lines[index].and_then(|line| Some((sliding_kind(element.of, self.dimension)?, line)));
             let connectors =
                 plans.iter().map(move |plan| Entry::Connector(index, number, element, plan, plans.len() > 1));
             connectors.chain(sliding.map(|(kind, line)| Entry::Sliding(index, number, element, kind, line)))
@@ -469,6 +463,15 @@ impl<'m> Draft<'m> {
             }
         }
         text.json.push_str(" }");
+    }
+}
+
+/// The kind of an element that slides on a line.
+fn sliding_kind(of: Type, dimension: Dimension) -> Option<&'static Kind> {
+    match of {
+        Type::Linear => Kind::find("isl21a", dimension),
+        Type::Parabolic => Kind::find("isl22a", dimension),
+        Type::Connector | Type::PlaneConnector => None,
     }
 }
 

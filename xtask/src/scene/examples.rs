@@ -33,7 +33,7 @@ fn scenes(project: &Project) -> anyhow::Result<Vec<(String, Scene)>> {
         let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
         let stem = name.strip_suffix(".json").filter(|_| !name.ends_with(RESULT) && name != "schema.json");
         if let Some(stem) = stem {
-            let loaded = load::read(&path)?.map_err(anyhow::Error::msg)?;
+            let loaded = load::read(&path, false)?.map_err(anyhow::Error::msg)?;
             scenes.push((stem.to_owned(), loaded.scene));
         }
     }
