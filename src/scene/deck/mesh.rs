@@ -2,8 +2,8 @@
 
 use super::block::{Block, Line};
 use super::field::Field;
-use super::model::{Element, Item, Members, Node, Orientation, Points, System, Type};
-use super::motion::cylindrical;
+use super::model::{Element, Item, Members, Node, Orientation, Points, Type};
+use super::motion::{System, cylindrical};
 use super::reading::{Reading, found};
 use arrayvec::ArrayVec;
 

@@ -1,7 +1,7 @@
 //! What a deck says, before it is a scene: numbers and names are those of the deck.
 
 use super::field::Label;
-use super::motion::Motion;
+use super::motion::{Motion, System};
 use super::source::Place;
 use indexmap::IndexMap;
 use std::collections::HashMap;
@@ -116,18 +116,6 @@ pub(super) struct Orientation {
     /// The axis from 0, and the angle in degrees.
     pub(super) turn: Option<(usize, f64)>,
     pub(super) motion: Option<Motion>,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum System {
-    /// Point a on the first axis, b in the plane of the first two.
-    Rectangular,
-    /// Point a on the third axis, b in the plane of the third and the first.
-    ThirdRectangular,
-    /// Both points on the third axis; the first is along the radius through the node.
-    Cylindrical,
-    /// Point a in the middle, b on the polar axis; the first is along the radius through the node, the second around the axis.
-    Spherical,
 }
 
 /// The points a, b and the origin.

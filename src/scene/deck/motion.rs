@@ -1,6 +1,5 @@
 //! Rotations in degrees and coordinates, computed in 237 bits and rounded once.
 
-use super::model::System;
 use crate::Octuple;
 use crate::number::scalar::norm_and_direction;
 use nalgebra::{Matrix3, Vector3};
@@ -91,6 +90,19 @@ impl Motion {
 pub(super) fn cylindrical([r, degrees, z]: [f64; 3]) -> [f64; 3] {
     let (sine, cosine) = sin_cos(degrees);
     rounded(Vector3::new(cosine, sine, Octuple::from(0.0)) * Octuple::from(r) + exactly([0.0, 0.0, z]))
+}
+
+/// How points give axes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum System {
+    /// Point a on the first axis, b in the plane of the first two.
+    Rectangular,
+    /// Point a on the third axis, b in the plane of the third and the first.
+    ThirdRectangular,
+    /// Both points on the third axis; the first is along the radius through the node.
+    Cylindrical,
+    /// Point a in the middle, b on the polar axis; the first is along the radius through the node, the second around the axis.
+    Spherical,
 }
 
 /// The first axis, and a vector in the plane of the first two, of a system by the points a, b and the origin, at a node. Without a

@@ -2,8 +2,8 @@
 
 use super::field::Label;
 use super::log::Log;
-use super::model::{Model, Named, Numbered, Orientation, Points, System};
-use super::motion::{angle, axes};
+use super::model::{Model, Named, Numbered, Orientation, Points};
+use super::motion::{System, angle, axes};
 use super::sets::candidates;
 use super::source::Place;
 use crate::scene::json::some_of;

@@ -1,9 +1,8 @@
 //! What is in a scene: its elements at the start, as text, and as a page with a drawing of each.
 
-use super::load::{Loaded, shown};
+use super::load::{Loaded, shown, warn};
 use super::out::Target;
 use super::show::digits;
-use super::warn;
 use crate::console::{bold, count, print};
 use crate::figures::sketch::{Ink, Point, Sketch, View};
 use crate::files;

@@ -1,6 +1,7 @@
 //! Scenes from files: JSON, or decks.
 
 use super::deck;
+use crate::console::{say, yellow};
 use anyhow::Context;
 use jointproof::scene::{Deck, Faults, Scene};
 use std::io::Read;
@@ -56,6 +57,14 @@ pub(super) fn read(path: &Path, wants_text: bool) -> anyhow::Result<Result<Loade
     };
     let scene = Scene::parse_in(folder, &text).map_err(report);
     Ok(scene.map(|scene| Loaded { scene, text: None, left_out: Vec::new() }))
+}
+
+/// Says what is ambiguous about a scene; returns how much.
+pub(super) fn warn(path: &Path, warnings: &[String]) -> usize {
+    for warning in warnings {
+        say(&format!("{} {}: {warning}", yellow("warning:"), shown(path)));
+    }
+    warnings.len()
 }
 
 /// The name of a file without what follows the last period.

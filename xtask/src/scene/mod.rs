@@ -16,14 +16,14 @@ mod show;
 pub(crate) use examples::{figures, golden, outputs, plans};
 pub(crate) use kinds::{anchor, served};
 
-use crate::console::{print, progress, say, yellow};
+use crate::console::{print, progress, say};
 use crate::{Outcome, files};
 use anyhow::Context;
 use generate::Generated;
 use jointproof::Octuple;
 use jointproof::scene::{Columns, Plan, Results, Scene, Table, TableFault, Tables, Unwritten, Warning};
 use kit::{Project, Usage};
-use load::{Loaded, STANDARD_INPUT, read, shown, stem};
+use load::{Loaded, STANDARD_INPUT, read, shown, stem, warn};
 use out::{Form, Target};
 use std::fs::File;
 use std::io::Write;
@@ -198,14 +198,6 @@ impl Arguments {
     fn exit(&self, warned: usize) -> ExitCode {
         if self.deny_warnings && warned > 0 { ExitCode::FAILURE } else { ExitCode::SUCCESS }
     }
-}
-
-/// Says what is ambiguous about a scene; returns how much.
-fn warn(path: &Path, warnings: &[String]) -> usize {
-    for warning in warnings {
-        say(&format!("{} {}: {warning}", yellow("warning:"), shown(path)));
-    }
-    warnings.len()
 }
 
 /// A reader that stops reading, such as `head`, is no error.
