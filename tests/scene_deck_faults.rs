@@ -1,7 +1,7 @@
 //! Mistakes in decks: each is named by its line, and none causes a panic.
 
 use crate::draw::Draw;
-use jointproof::scene::{Deck, Faults, Results};
+use jointproof::scene::{Deck, Faults, Results, Table, Tables};
 use std::fmt::Write;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -74,7 +74,7 @@ fn a_mistake_is_named_by_its_keyword_line_and_column() {
         (
             "0., 1., 0.\n",
             "2., 0., 0.\n",
-            "*ORIENTATION (line 6, column 15): two vectors that are parallel, or zero; allowed is two vectors that span a plane",
+            "*ORIENTATION (line 7, column 1): two vectors that are parallel, or zero; allowed is two vectors that span a plane",
         ),
         (
             ", ELSET=E, ",
@@ -108,6 +108,28 @@ fn a_mistake_is_named_by_its_keyword_line_and_column() {
             "STICK STIFFNESS=10",
             "STICK STIFFNESS=",
             "*CONNECTOR FRICTION (line 12, column 34): STICKSTIFFNESS without a value; allowed is ",
+        ),
+        ("*ELEMENT,", "*ELEM,", "*ELEM (line 4, column 1): an unknown keyword; allowed is *ELEMENT, spelled out"),
+        ("BEHAVIOR=B", "BEHAV=B", "(line 8, column 30): the parameter BEHAV; allowed is BEHAVIOR, spelled out"),
+        (
+            "*FRICTION\n",
+            "*FRICTOIN\n",
+            "*FRICTOIN (line 14, column 1): an unknown keyword; allowed is *FRICTION, spelled out",
+        ),
+        (
+            "*NODE\n",
+            "*PARAMETER\nx = 1\n*NODE\n",
+            "*PARAMETER (line 1, column 1): parameters, which are computed; allowed is their values where they are used",
+        ),
+        (
+            "NAME=O\n",
+            "NAME=O, SYSTEM=USER\n",
+            "*ORIENTATION (line 6, column 15): orientation \"O\", by nodes of each element, a distribution, a program or several angles; allowed is points a and b, the origin, and one angle, for connectors",
+        ),
+        (
+            "NAME=O\n",
+            "NAME=O, SYSTEM=RADIAL\n",
+            "SYSTEM=RECTANGULAR or Z RECTANGULAR or CYLINDRICAL or SPHERICAL or USER",
         ),
         (
             "*NODE\n",
@@ -215,7 +237,7 @@ fn long() -> Vec<String> {
 }
 
 /// The ways to make a line wrong.
-const WAYS: usize = 12;
+const WAYS: usize = 22;
 
 /// A line made wrong, where it can be.
 fn spoil(line: &str, how: usize) -> Option<String> {
@@ -235,6 +257,16 @@ fn spoil(line: &str, how: usize) -> Option<String> {
         }
         10 if line.contains("STIFFNESS=") => Some(line.replace("1000.", "1000..")),
         11 if data && line.contains(", ") => Some(line.replacen(", ", ", \"", 1)),
+        12 if line.starts_with("*CONNECTOR") => Some(line.replacen("CONNECTOR", "CONNECTER", 1)),
+        13 if line.starts_with("*ELEMENT") => Some(line.replacen("*ELEMENT", "*ELEM", 1)),
+        14 if line.contains("BEHAVIOR=") => Some(line.replacen("BEHAVIOR=", "BEHAV=", 1)),
+        15 if line.contains("PREDEFINED") => Some(line.replacen("PREDEFINED", "PREDEFINED, PREDEFINED", 1)),
+        16 if line.ends_with("0.5, 0.") => Some(line.replacen("0.5, 0.", "0,5, 0., 0., 0., 1., 2.", 1)),
+        17 if line.starts_with("*NODE") => Some("*PARAMETER".into()),
+        18 if line == "HINGE" => Some("HINGE, SLOT, SLOT".into()),
+        19 if line == "1., 0., 0., 0., 1., 0." => Some("1., 0., 0., 2., 0., 0.".into()),
+        20 if line == "-30., 40." => Some("-30., 40., 50.".into()),
+        21 if line.starts_with("*NODE") => Some("*INCLUDE, INPUT=none.inc".into()),
         _ => None,
     }
 }
@@ -244,7 +276,7 @@ fn a_fault_at_a_random_line_of_a_long_deck_is_named_by_that_line() {
     let lines = long();
     assert!(lines.len() >= 2000 && read(&lines.join("\n")).is_ok());
     let mut draw = Draw(23);
-    for fault in 0..100 {
+    for fault in 0..6 * WAYS {
         let (line, spoilt) = loop {
             let line = draw.below(lines.len());
             if let Some(spoilt) = spoil(&lines[line], fault % WAYS) {
@@ -260,19 +292,19 @@ fn a_fault_at_a_random_line_of_a_long_deck_is_named_by_that_line() {
 
 /// Decks from which mutants are made.
 fn seeds() -> Vec<String> {
-    let decks = include_str!("scene_decks.rs");
-    // The decks of the other file, as they are between quotes.
+    let decks = [include_str!("scene_decks.rs"), include_str!("scene_deck_styles.rs")].concat();
+    // The decks of the other files, as they are between quotes.
     let texts = decks.split("agree(\n").skip(1).filter_map(|call| call.trim_start().strip_prefix("\"\\\n"));
     let mut seeds: Vec<String> =
         texts.filter_map(|text| text.split("\",\n        &[").next()).map(|text| text.replace("\\\"", "\"")).collect();
     seeds.push(GUIDE.into());
-    assert!(seeds.len() >= 10, "{}", seeds.len());
+    assert!(seeds.len() >= 20, "{}", seeds.len());
     seeds
 }
 
-/// Damages a deck: fields, lines, bytes.
-fn mutant(seeds: &[String], number: u64) -> String {
-    const ODD: [&str; 22] = [
+/// Damages a deck or a table: fields, lines, bytes.
+fn mutant(seed: &str, draw: &mut Draw) -> String {
+    const ODD: [&str; 26] = [
         "",
         "0",
         "-1",
@@ -295,9 +327,12 @@ fn mutant(seeds: &[String], number: u64) -> String {
         ",",
         "1..",
         "é",
+        "nan",
+        "u1",
+        "time",
+        "\t;",
     ];
-    let mut draw = Draw(number.wrapping_mul(0x1000_0001));
-    let mut lines: Vec<String> = seeds[draw.below(seeds.len())].lines().map(String::from).collect();
+    let mut lines: Vec<String> = seed.lines().map(String::from).collect();
     for _ in 0..=draw.below(3) {
         let [one, other] = [draw.below(lines.len()), draw.below(lines.len())];
         match draw.below(7) {
@@ -335,7 +370,11 @@ fn mutant(seeds: &[String], number: u64) -> String {
 }
 
 /// What becomes of a mutant: refused, undefined, or evaluated.
-fn judge(text: &str) -> usize {
+fn outcome(text: &str, run: impl FnOnce() -> usize) -> usize {
+    catch_unwind(AssertUnwindSafe(run)).unwrap_or_else(|_| panic!("a panic about this text:\n{text}"))
+}
+
+fn of_deck(text: &str) -> usize {
     let check = |faults: &Faults| {
         assert!(!faults.list().is_empty());
         for fault in faults.list() {
@@ -344,32 +383,62 @@ fn judge(text: &str) -> usize {
         }
         0
     };
-    let run = || match Deck::parse(text) {
+    outcome(text, || match read(text) {
         Err(faults) => check(&faults),
-        Ok(deck) => match deck.scene() {
-            Err(faults) => check(&faults),
-            Ok(scene) => 1 + usize::from(Results::of(&scene).is_ok()),
-        },
-    };
-    catch_unwind(AssertUnwindSafe(run)).unwrap_or_else(|_| panic!("a panic about this deck:\n{text}"))
+        Ok(deck) => 1 + usize::from(Results::of(&deck.scene().unwrap()).is_ok()),
+    })
 }
 
+/// Tables from which mutants are made, and the deck to which each is the history.
+const TABLES: [(&str, &str); 3] = [
+    (include_str!("../golden/decks/telescope.csv"), include_str!("../golden/decks/telescope.inp")),
+    (include_str!("../golden/decks/telescope-loads.csv"), include_str!("../golden/decks/telescope.inp")),
+    (include_str!("../golden/decks/thread.csv"), include_str!("../golden/decks/thread.inp")),
+];
+
+fn of_table(text: &str, which: usize) -> usize {
+    outcome(text, || {
+        let scene = Deck::parse(TABLES[which].1).unwrap().scene().unwrap();
+        let table = Some(Table::text("mutant.csv", text.as_bytes()));
+        let tables = match which {
+            1 => Tables { loads: table, ..Tables::default() },
+            _ => Tables { nodes: table, ..Tables::default() },
+        };
+        match scene.with_tables(tables) {
+            Ok(scene) => 1 + usize::from(Results::of(&scene).is_ok()),
+            Err(fault) => {
+                let lines = u64::try_from(text.lines().count()).unwrap();
+                assert!(fault.line >= 1 && fault.line <= lines.max(1) + 1 && fault.column.0 >= 1, "{fault}");
+                assert!(!fault.found.is_empty() && !fault.allowed.is_empty(), "{fault}");
+                0
+            }
+        }
+    })
+}
+
+/// Mutants of decks, and as many of tables.
 fn judge_mutants(count: u64) {
-    let (seeds, mut outcomes) = (seeds(), [0; 3]);
-    for number in 0..count {
-        outcomes[judge(&mutant(&seeds, number))] += 1;
+    let (seeds, mut of_decks, mut of_tables) = (seeds(), [0; 3], [0; 3]);
+    for number in 0..count / 2 {
+        let mut draw = Draw(number.wrapping_mul(0x1000_0001));
+        let seed = draw.below(seeds.len());
+        of_decks[of_deck(&mutant(&seeds[seed], &mut draw))] += 1;
+        let which = draw.below(TABLES.len());
+        of_tables[of_table(&mutant(TABLES[which].0, &mut draw), which)] += 1;
     }
-    println!("{outcomes:?}");
-    assert!([0, 2].iter().all(|&outcome| outcomes[outcome] * 50 > count), "{outcomes:?}");
+    println!("decks {of_decks:?}, tables {of_tables:?}");
+    for outcomes in [of_decks, of_tables] {
+        assert!([0, 2].iter().all(|&outcome| outcomes[outcome] * 100 > count), "{outcomes:?}");
+    }
 }
 
 #[test]
-fn mutants_of_decks_do_not_panic() {
-    judge_mutants(2000);
+fn mutants_of_decks_and_tables_do_not_panic() {
+    judge_mutants(3000);
 }
 
 #[test]
 #[ignore = "takes minutes, and wants an optimised build: cargo test --release --test all scene_deck_faults:: -- --ignored"]
-fn a_million_mutants_of_decks_do_not_panic() {
+fn a_million_mutants_of_decks_and_tables_do_not_panic() {
     judge_mutants(1_000_000);
 }

@@ -18,7 +18,7 @@ fn scene_of(deck: &str, included: &[(&str, &str)]) -> Scene {
 }
 
 /// All outputs of these kinds but some.
-fn outputs(kinds: &[(&str, Dimension)], without: &[&str]) -> String {
+pub fn outputs(kinds: &[(&str, Dimension)], without: &[&str]) -> String {
     let mut all: Vec<&str> = Vec::new();
     for (kind, dimension) in kinds {
         let kind = Kind::find(kind, *dimension).unwrap();
@@ -30,18 +30,18 @@ fn outputs(kinds: &[(&str, Dimension)], without: &[&str]) -> String {
 }
 
 /// A deck, its files, and the same scene by hand, with OUTPUTS for its outputs.
-fn agree(deck: &str, included: &[(&str, &str)], by_hand: &str, outputs: &str) {
+pub fn agree(deck: &str, included: &[(&str, &str)], by_hand: &str, outputs: &str) {
     let by_hand = by_hand.replace("OUTPUTS", outputs);
     let expected = Scene::parse(&by_hand).unwrap_or_else(|faults| panic!("{faults}\n{by_hand}"));
     assert_eq!(format!("{:#?}", scene_of(deck, included)), format!("{expected:#?}"));
 }
 
-const SPACE: Dimension = Dimension::Space;
+pub const SPACE: Dimension = Dimension::Space;
 const NO_STOPS: [&str; 2] = ["GAPMIN", "GAPMAX"];
 /// What a stiffness in stick is needed for: with friction, and anyway.
 const STICKING: [&str; 6] = ["KF", "CSF1", "P", "PHI", "SLIP1", "CASU1"];
 /// What a slot without a behavior lacks.
-const BARE: [&str; 5] = ["GAPMIN", "GAPMAX", "CSF1", "SLIP1", "CASU1"];
+pub const BARE: [&str; 5] = ["GAPMIN", "GAPMAX", "CSF1", "SLIP1", "CASU1"];
 
 #[test]
 fn lower_case_comments_in_odd_places_and_exponents_of_fortran() {

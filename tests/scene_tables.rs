@@ -63,6 +63,8 @@ fn a_table_gives_the_bits_of_frames_however_it_is_written() {
         scene(&model("")).with_tables(tables(&turned.concat().replacen(",7", ",\"Frame, last\"", 1), LOADS)).unwrap();
     assert_eq!(noted.notes(), ["u.csv: the columns Frame, last are not used"]);
     assert_same(tables(&turned.concat().replacen(",7", ",step", 1), LOADS), &expected);
+    // Names in upper case.
+    assert_same(tables(NODES, &LOADS.replace("tube", "TUBE")), &expected);
     // A part instance in a column of its own.
     let split = NODES
         .replace("node", "Part Instance Name,Node Label")
@@ -95,22 +97,25 @@ fn a_scene_names_its_tables() {
 #[test]
 fn every_mistake_in_a_table_is_told_with_line_and_column() {
     for (nodes, expected) in [
-        ("", "no row; allowed is a first row with the names of the columns"),
+        ("", "u.csv, line 1, column 1: no row; allowed is a first row with the names of the columns"),
         (
             "node,u1\n1,2\n",
-            "u.csv, line 1: no column \"time\" among node, u1; allowed is a first row with the names of the columns, here one of time, ",
+            "u.csv, line 1, column 1: no column \"time\" among node, u1; allowed is a first row with the names of the columns, here one of time, ",
         ),
-        ("time,u1\n1,2\n", "u.csv, line 1: no column \"node\" among time, u1; "),
+        ("time,u1\n1,2\n", "u.csv, line 1, column 1: no column \"node\" among time, u1; "),
         (
             "time,node,x\n1,2,3\n",
-            "u.csv, line 1: no column of numbers that is known among time, node, x; allowed is some of u1, u2, u3, ur1, ur2, ur3",
+            "u.csv, line 1, column 1: no column of numbers that is known among time, node, x; allowed is some of u1, u2, u3, ur1, ur2, ur3",
         ),
         (
             "time,node,u1,U1\n1,2,3,4\n",
             "u.csv, line 1, column 4 (\"U1\"): this column for the second time; allowed is each once",
         ),
-        ("time,node,u1\n1,2\n", "u.csv, line 2: 2 cells; allowed is 3, as in the first row"),
-        ("time,node,u1\r\n\r\n1,2,3\r\n1,\"2\r\n", "u.csv, line 4: a quotation mark that does not end in its line; "),
+        ("time,node,u1\n1,2\n", "u.csv, line 2, column 3: 2 cells; allowed is 3, as in the first row"),
+        (
+            "time,node,u1\r\n\r\n1,2,3\r\n1,\"2\r\n",
+            "u.csv, line 4, column 2: a quotation mark that does not end in its line; ",
+        ),
         ("\n\r\ntime,node,u1\r\n1,2,3\r\n1,2,x", "u.csv, line 5, column 3 (\"u1\"): \"x\"; "),
         ("time,node,u1\n\n1,2,1.5e\n", "u.csv, line 3, column 3 (\"u1\"): \"1.5e\"; allowed is a finite number"),
         ("time;node;u1\n1;2;0,5\n", "u.csv, line 2, column 3 (\"u1\"): \"0,5\"; allowed is a finite number"),
@@ -128,20 +133,26 @@ fn every_mistake_in_a_table_is_told_with_line_and_column() {
         ),
         (
             "time,node,u1\n1,7,0\n1,8,0\n",
-            "u.csv: no node of the scene, but \"7\" in line 2; allowed is rows about each node that changes",
+            "u.csv, line 2, column 2 (\"node\"): \"7\", and no node of the scene; allowed is rows about each node that changes",
         ),
-        ("time,node,u1\n", "u.csv: no node of the scene; allowed is "),
+        ("time,node,u1\n", "u.csv, line 1, column 2 (\"node\"): no row; allowed is "),
     ] {
         let tables = Tables { nodes: Some(Table::text("u.csv", nodes.as_bytes())), ..Tables::default() };
         let fault = scene(&model("")).with_tables(tables).unwrap_err().to_string();
         assert!(fault.contains(expected), "{nodes:?}: {fault}");
     }
     for (loads, expected) in [
-        ("time,element,f1\n0.1,pin,1\n", "f.csv: 1 states; allowed is 3, as in u.csv"),
-        ("time,element,f1\n0.2,pin,1\n", "f.csv: the time 0.2 of state 0; allowed is 0.1, as in u.csv"),
+        (
+            "time,element,f1\n0.1,pin,1\n",
+            "f.csv, line 2, column 1 (\"time\"): the last of 1 states; allowed is 3, as in u.csv",
+        ),
+        (
+            "time,element,f1\n0.2,pin,1\n",
+            "f.csv, line 2, column 1 (\"time\"): the time 0.2 of state 0; allowed is 0.1, as in u.csv",
+        ),
         (
             "time,element,f1,m1\n0.1,tube,1,2\n0.1,tube,1,2\n0.25,tube,1,2\n1,tube,1,2\n",
-            "f.csv: the time 1.0 of state 3; allowed is no further state, as in u.csv",
+            "f.csv, line 5, column 1 (\"time\"): the time 1.0 of state 3; allowed is no further state, as in u.csv",
         ),
         ("time,element,f1\n0.1,pin,1\n0.1,gear,1\n0.1,pin,1\n0.25,pin,1\n", ""),
     ] {

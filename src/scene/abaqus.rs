@@ -15,6 +15,19 @@ pub const SAME_OUTPUTS: [(&str, &str); 7] = [
     ("CCUR3", "UR3MAT"),
 ];
 
+/// Its names of outputs that have the same name here.
+const SHARED: [&str; 10] = ["CSF1", "CSM1", "CSM3", "CASU1", "CASUR1", "CASUR3", "E11", "E12", "S11", "S12"];
+
+/// Its names of all components together.
+const GROUPS: [(&str, &[&str]); 6] = [
+    ("CU", &["U1", "UR1", "UR2", "UR3"]),
+    ("CCU", &["U1MAT", "UR1MAT", "UR3MAT"]),
+    ("CSF", &["CSF1", "CSM1", "CSM3"]),
+    ("CASU", &["CASU1", "CASUR1", "CASUR3"]),
+    ("E", &["E11", "E12"]),
+    ("S", &["S11", "S12"]),
+];
+
 /// Abaqus' names without the number of the component, and what is similar.
 const SIMILAR: [(&str, &str); 14] = [
     ("CTF", "KF, of load and friction alone and in the global axes"),
@@ -38,6 +51,14 @@ pub(super) fn own_name(name: &str) -> &str {
     SAME_OUTPUTS.iter().find(|(theirs, _)| *theirs == name).map_or(name, |(_, ours)| ours)
 }
 
+/// Our names of the outputs that one of Abaqus' names requests; none if we have only something similar.
+pub(super) fn same_outputs(name: &str) -> Vec<&'static str> {
+    let same = SAME_OUTPUTS.into_iter().chain(SHARED.map(|name| (name, name)));
+    let single = same.filter(|(theirs, _)| *theirs == name).map(|(_, ours)| ours);
+    let group = GROUPS.iter().filter(|(theirs, _)| *theirs == name).flat_map(|(_, ours)| *ours).copied();
+    single.chain(group).collect()
+}
+
 /// What somebody may mean who writes an unknown name where these are known.
 pub(super) fn meant(name: &str, known: &[&str]) -> Option<String> {
     let upper = name.to_uppercase();
@@ -52,7 +73,7 @@ pub(super) fn meant(name: &str, known: &[&str]) -> Option<String> {
 
 #[cfg(test)]
 mod tests {
-    use super::{SAME_OUTPUTS, SIMILAR, meant, own_name};
+    use super::{GROUPS, SAME_OUTPUTS, SHARED, SIMILAR, meant, own_name, same_outputs};
     use crate::scene::kind::Kind;
 
     #[test]
@@ -61,6 +82,9 @@ mod tests {
         for (theirs, ours) in SAME_OUTPUTS {
             assert!(outputs.contains(&ours) && !outputs.contains(&theirs), "{theirs}");
         }
+        for ours in SHARED.iter().chain(GROUPS.iter().flat_map(|(_, ours)| *ours)) {
+            assert!(outputs.contains(ours), "{ours}");
+        }
         for (theirs, similar) in SIMILAR {
             assert!(!outputs.contains(&theirs) && meant(theirs, &outputs).as_deref() == Some(similar), "{theirs}");
         }
@@ -68,6 +92,9 @@ mod tests {
 
     #[test]
     fn a_name_is_ours_or_a_hint() {
+        assert_eq!([same_outputs("CUR3"), same_outputs("E12")], [["UR3"], ["E12"]]);
+        assert_eq!(same_outputs("CSF"), ["CSF1", "CSM1", "CSM3"]);
+        assert!(same_outputs("CTF1").is_empty() && same_outputs("U1").is_empty());
         assert_eq!([own_name("CU1"), own_name("U1"), own_name("CTF1")], ["U1", "U1", "CTF1"]);
         let known = ["U1", "KF"];
         assert_eq!(meant("u1", &known).as_deref(), Some("U1"));

@@ -349,7 +349,22 @@ fn a_deck_is_a_scene_that_can_be_written_and_says_what_is_left_out() {
         .run(&["scene", &gate(), "--format", "csv", "--deny-warnings"])
         .exits(1)
         .says("left out: *MATERIAL (line 49): not read");
+    bench.run(&["scene", &gate(), "--describe", "--deny-warnings"]).exits(1).says("*CONNECTOR DAMPING (line 47)");
     bench.run(&["scene", &scene("rail.json"), "--write", "x.json"]).bad_usage("--write takes the scene of one deck");
+}
+
+/// Every row of the scene's results is one of the deck's, which has more outputs.
+#[test]
+fn a_deck_has_its_history_from_tables() {
+    let bench = Bench::new();
+    let [deck, nodes, loads] = ["telescope.inp", "telescope.csv", "telescope-loads.csv"]
+        .map(|name| repository().join("golden/decks").join(name).to_string_lossy().into_owned());
+    let ran = bench.run(&["scene", &deck, "--history", &nodes, "--loads", &loads, "--format", "csv"]).exits(0);
+    let found: std::collections::HashSet<&str> = ran.stdout.lines().collect();
+    let expected = bench.run(&["scene", &scene("telescope.json"), "--format", "csv"]).exits(0).stdout;
+    let expected = expected.replace(",telescope,", ",1,");
+    assert!(expected.lines().count() > 9 * 14);
+    expected.lines().for_each(|row| assert!(found.contains(row), "{row}"));
 }
 
 #[test]

@@ -5,6 +5,9 @@ use super::log::Log;
 use super::source::{Place, Sources};
 use std::path::Path;
 
+/// Keywords whose data lines may begin in a file that they name.
+const WITH_FILE: [&str; 2] = ["NODE", "ELEMENT"];
+
 /// The maximum depth of files that include files, and the maximum number of files.
 const DEPTH: usize = 16;
 const FILES: usize = 10_000;
@@ -120,10 +123,9 @@ impl Block {
         self.lines(sources).filter(|line| !line.is_blank())
     }
 
-    /// Whether a place is in its data lines.
-    pub(super) fn has(&self, place: Place) -> bool {
-        let within = |piece: &Piece| piece.start.file == place.file && (piece.start.at..piece.end).contains(&place.at);
-        self.data.iter().any(within)
+    /// Where its keyword line and its data lines begin; more than once if files are included.
+    pub(super) fn starts(&self) -> impl Iterator<Item = Place> {
+        std::iter::once(self.place).chain(self.data.iter().map(|piece| piece.start))
     }
 
     fn extend(&mut self, start: Place, end: u32) {
@@ -145,7 +147,7 @@ pub(super) fn blocks_of(sources: &mut Sources, file: u32, folder: Option<&Path>,
         if let Some((name, place)) = input {
             match include(sources, &name, folder, open.len()) {
                 Ok(included) => open.push((included, 0)),
-                Err((found, allowed)) => log.fault(place, found, allowed),
+                Err((found, allowed)) => log.fault(place, format!("the included file {found}"), allowed),
             }
         }
     }
@@ -155,25 +157,17 @@ pub(super) fn blocks_of(sources: &mut Sources, file: u32, folder: Option<&Path>,
 /// Reads a file of the deck's folder.
 fn include(sources: &mut Sources, name: &str, folder: Option<&Path>, depth: usize) -> Result<u32, (String, String)> {
     let Some(folder) = folder else {
-        return Err((
-            format!("*INCLUDE of {name:?} in a text that is in no folder"),
-            "a deck that is read from a file".into(),
-        ));
+        return Err((format!("{name:?} in a text that is in no folder"), "a deck that is read from a file".into()));
     };
     if depth > DEPTH {
-        return Err((
-            format!("*INCLUDE of {name:?}, included by {DEPTH} files"),
-            format!("at most {DEPTH} files in each other"),
-        ));
+        return Err((format!("{name:?}, included by {DEPTH} files"), format!("at most {DEPTH} files in each other")));
     }
     if sources.count() == FILES {
-        return Err((format!("*INCLUDE of {name:?} after {FILES} files"), format!("at most {FILES} files")));
+        return Err((format!("{name:?} after {FILES} files"), format!("at most {FILES} files")));
     }
     let bytes = std::fs::read(folder.join(name))
-        .map_err(|error| (format!("*INCLUDE of {name:?}: {error}"), "a file that can be read".to_owned()))?;
-    sources
-        .add(name, bytes)
-        .ok_or_else(|| (format!("*INCLUDE of {name:?}, which is too long"), "a file of less than 4 GiB".into()))
+        .map_err(|error| (format!("{name:?}: {error}"), "a file that can be read".to_owned()))?;
+    sources.add(name, bytes).ok_or_else(|| (format!("{name:?}, which is too long"), "a file of less than 4 GiB".into()))
 }
 
 /// An included file, and where it is named.
@@ -212,17 +206,21 @@ fn until_include(
         }
         let past = end(all.peek());
         let block = keyword(&parts, offset, log);
-        if block.name != "INCLUDE" {
-            blocks.push(block);
-            continue;
-        }
+        let includes = block.name == "INCLUDE";
+        let wanted = includes || WITH_FILE.contains(&&*block.name) && block.parameter("INPUT").is_some();
         let input = block.parameter("INPUT").and_then(|input| Some((input.value.as_deref()?, input.place)));
         let file = input.map(|(name, place)| (name.trim_matches('"').to_owned(), place));
-        if file.as_ref().is_none_or(|(name, _)| name.is_empty()) {
-            log.fault(block.place, "*INCLUDE without INPUT", "INPUT=, followed by the name of a file");
-            continue;
+        let file = file.filter(|(name, _)| !name.is_empty());
+        if wanted && file.is_none() {
+            let found = format!("{} without the name of a file", block.shown);
+            log.fault(block.place, found, "INPUT=, followed by the name of a file");
         }
-        return Some((file, past));
+        if !includes {
+            blocks.push(block);
+        }
+        if wanted && file.is_some() {
+            return Some((file, past));
+        }
     }
     None
 }

@@ -94,10 +94,11 @@ pub(super) fn friction(reading: &mut Reading, block: &Block) {
         if !predefined {
             behavior.others.push(("connectors depend on it, without PREDEFINED", place));
         }
-        if behavior.friction.is_some() {
-            return reading.fault(place, "friction for the second time", "one *CONNECTOR FRICTION");
+        let again = predefined && behavior.predefined().is_some();
+        behavior.frictions.push(Friction { place, predefined, parameters, stick, mu: None });
+        if again {
+            reading.fault(place, "predefined friction for the second time", "one of each connector behavior");
         }
-        behavior.friction = Some(Friction { place, predefined, parameters, stick, mu: None });
     }
 }
 

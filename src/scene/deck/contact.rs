@@ -100,7 +100,7 @@ fn of_connector(reading: &mut Reading, block: &Block, index: usize) {
         reading.log.leave_out(line.place, "a friction coefficient that is a table", true);
     }
     let behavior = reading.model.behaviors.get_index_mut(index).map(|(_, behavior)| behavior);
-    match behavior.and_then(|behavior| behavior.friction.as_mut()) {
+    match behavior.and_then(|behavior| behavior.frictions.last_mut()) {
         None => reading.fault(block.place, "friction of no *CONNECTOR FRICTION", "one below *CONNECTOR FRICTION"),
         Some(friction) => friction.mu = mu,
     }

@@ -37,19 +37,19 @@ pub(super) struct Label {
 }
 
 impl Label {
-    /// `None` if it is empty, or if a quote is not closed.
+    /// `None` if it is empty, or if a quote is not closed. A name in an instance, `instance.name`, may have quotes around each.
     pub(super) fn new(text: &str) -> Option<Self> {
-        let shown = match text.strip_prefix('"') {
-            Some(quoted) => {
-                let shown: String = quoted.strip_suffix('"')?.into();
-                return (!shown.is_empty() && !shown.contains('"')).then(|| Self { key: shown.clone(), shown });
-            }
-            None => without_blanks(text),
-        };
-        if shown.is_empty() || shown.contains('"') {
-            return None;
-        }
-        Some(Self { key: shown.to_uppercase(), shown: shown.into_owned() })
+        let Some((instance, rest)) = Self::split(text) else { return Self::one(text) };
+        let rest = Self::one(rest)?;
+        let [shown, key] = [(instance.shown, rest.shown), (instance.key, rest.key)].map(|(a, b)| format!("{a}.{b}"));
+        Some(Self { shown, key })
+    }
+
+    fn one(text: &str) -> Option<Self> {
+        let quoted = text.strip_prefix('"').and_then(|text| text.strip_suffix('"'));
+        let shown = quoted.map_or_else(|| without_blanks(text), Cow::Borrowed);
+        let key = if quoted.is_some() { shown.clone().into() } else { shown.to_uppercase() };
+        (!shown.is_empty() && !shown.contains('"')).then(|| Self { shown: shown.into(), key })
     }
 
     /// The name of an instance and that of something in it, separated by the first period that is not in quotes.
@@ -59,7 +59,7 @@ impl Label {
             quoted ^= byte == b'"';
             byte == b'.' && !quoted
         })?;
-        Some((Self::new(text[..period].trim())?, text[period + 1..].trim()))
+        Some((Self::one(text[..period].trim())?, text[period + 1..].trim()))
     }
 }
 
@@ -107,6 +107,8 @@ mod tests {
         let (instance, rest) = Label::split("\"Door. 1\" . 7").unwrap();
         assert_eq!((&*instance.shown, rest), ("Door. 1", "7"));
         assert!(Label::split("\"a.b\"").is_none());
+        assert_eq!(label("\"Door 1\".pins"), Some(("Door 1.pins".into(), "Door 1.PINS".into())));
+        assert_eq!([label("\"Door 1\"."), label(".pins")], [const { None }; 2]);
     }
 
     #[test]

@@ -1,9 +1,10 @@
 //! The keywords that are read, and what becomes of them in the scene.
 
 use super::block::Block;
+use super::field::without_blanks;
 use super::reading::Reading;
 use super::terms::{COMPONENTS, PREDEFINED, is_rotation};
-use super::{connector, contact, mesh};
+use super::{connector, contact, mesh, requests};
 use crate::scene::kind::{Dimension, Kind};
 
 /// A keyword that is read.
@@ -14,6 +15,8 @@ pub(super) struct Keyword {
     pub(super) without_effect: &'static [&'static str],
     /// Whether it belongs to a keyword above it.
     pub(super) is_below: bool,
+    /// Whether it is read in steps, too.
+    pub(super) in_steps: bool,
     pub(super) read: fn(&mut Reading<'_>, &Block),
     /// Where it gives something, the key of the scene, and the unit.
     rows: &'static [[&'static str; 3]],
@@ -25,7 +28,7 @@ const fn keyword(
     read: fn(&mut Reading<'_>, &Block),
     rows: &'static [[&'static str; 3]],
 ) -> Keyword {
-    Keyword { name, parameters, without_effect: &[], is_below: false, read, rows }
+    Keyword { name, parameters, without_effect: &[], is_below: false, in_steps: false, read, rows }
 }
 
 impl Keyword {
@@ -37,13 +40,55 @@ impl Keyword {
         Self { is_below: true, ..self }
     }
 
+    const fn in_steps(self) -> Self {
+        Self { in_steps: true, ..self }
+    }
+
     /// The keyword of this name, which is in upper case without blanks.
     pub(super) fn find(name: &str) -> Option<&'static Self> {
         KEYWORDS.iter().find(|keyword| keyword.name.bytes().filter(|&byte| byte != b' ').eq(name.bytes()))
     }
+
+    /// The keyword of which an unknown name is the beginning, or a slip: the format lets keywords be abbreviated, but only one
+    /// who knows all of them could tell which is meant.
+    pub(super) fn meant(name: &str) -> Option<&'static str> {
+        let known = KEYWORDS.iter().map(|keyword| keyword.name).chain(WALKED);
+        (!OTHERS.contains(&name)).then(|| meant(name, known)).flatten()
+    }
+
+    /// The parameter that an unknown one means, likewise.
+    pub(super) fn meant_parameter(&self, name: &str) -> Option<&'static str> {
+        meant(name, self.parameters.iter().chain(self.without_effect).copied())
+    }
 }
 
-/// Without a keyword of its own in the table: what the walk through the blocks reads.
+fn meant(name: &str, mut known: impl Iterator<Item = &'static str>) -> Option<&'static str> {
+    known.find(|known| {
+        let known = without_blanks(known);
+        name.len() > 2 && known.starts_with(name) || name.len() > 5 && is_slip(name, &known)
+    })
+}
+
+/// Whether two words differ by one letter that is wrong, missing or too many, or by two that are exchanged.
+fn is_slip(one: &str, other: &str) -> bool {
+    let (one, other) = (one.as_bytes(), other.as_bytes());
+    let before = one.iter().zip(other).take_while(|(a, b)| a == b).count();
+    let [one, other] = [&one[before..], &other[before..]];
+    let after = one.iter().rev().zip(other.iter().rev()).take_while(|(a, b)| a == b).count();
+    match [&one[..one.len() - after], &other[..other.len() - after]] {
+        [[a, b], [c, d]] => [a, b] == [d, c],
+        [a, b] => a.len() <= 1 && b.len() <= 1,
+    }
+}
+
+/// The keywords that the walk through the blocks reads.
+const WALKED: [&str; 9] =
+    ["INCLUDE", "PART", "END PART", "ASSEMBLY", "END ASSEMBLY", "INSTANCE", "END INSTANCE", "STEP", "END STEP"];
+
+/// Keywords that are not read, with which one that is read begins.
+const OTHERS: [&str; 3] = ["SURFACE", "TORQUE", "END"];
+
+/// What they give.
 pub(super) const STRUCTURE: &[[&str; 4]] = &[
     ["*INCLUDE", "INPUT", "the file is read in its place", ""],
     ["*PART, *ASSEMBLY, *INSTANCE", "NAME, PART", "names: `instance.number`", ""],
@@ -55,7 +100,7 @@ const KEYWORDS: &[Keyword] = &[
     keyword("HEADING", &[], mesh::heading, &[["first line", "`title`", ""]]),
     keyword(
         "NODE",
-        &["NSET", "SYSTEM"],
+        &["NSET", "SYSTEM", "INPUT"],
         mesh::node,
         &[
             ["number", "a name in `nodes`", ""],
@@ -67,7 +112,7 @@ const KEYWORDS: &[Keyword] = &[
         .without_effect(&["INTERNAL", "UNSORTED"]),
     keyword(
         "ELEMENT",
-        &["TYPE", "ELSET"],
+        &["TYPE", "ELSET", "INPUT"],
         mesh::element,
         &[
             ["TYPE=CONN3D2", "`dimension`: `3d`", ""],
@@ -89,7 +134,27 @@ const KEYWORDS: &[Keyword] = &[
         &["NAME", "SYSTEM", "DEFINITION"],
         mesh::orientation,
         &[
-            ["first line: points a, b, origin", "`axes` or `angle`", "L"],
+            [
+                "SYSTEM=RECTANGULAR (the default): a on the first axis, b in the plane of the first two, the origin",
+                "`axes` or `angle`",
+                "L",
+            ],
+            [
+                "SYSTEM=Z RECTANGULAR: a on the third axis, b in the plane of the third and the first, the origin",
+                "`axes` or `angle`",
+                "L",
+            ],
+            [
+                "SYSTEM=CYLINDRICAL: a and b on the axis",
+                "`axes` at the node: along the radius, around, along the axis",
+                "L",
+            ],
+            [
+                "SYSTEM=SPHERICAL: the centre a, b on the polar axis",
+                "`axes` at the node: along the radius, around, along the meridian",
+                "L",
+            ],
+            ["DEFINITION=NODES", "nodes in place of coordinates", ""],
             ["second line: axis, angle", "`axes` or `angle`: rotated about it", "degrees"],
         ],
     )
@@ -151,8 +216,20 @@ const KEYWORDS: &[Keyword] = &[
         ],
     )
     .below(),
-    keyword("TORQUE PRINT", &["FREQUENCY"], contact::torque_print, &[["FREQUENCY", "`torque_frequency`", ""]]).below(),
+    keyword("TORQUE PRINT", &["FREQUENCY"], contact::torque_print, &[["FREQUENCY", "`torque_frequency`", ""]])
+        .below()
+        .in_steps(),
+    requested("ELEMENT OUTPUT"),
+    requested("EL PRINT"),
+    requested("EL FILE"),
 ];
+
+const fn requested(name: &'static str) -> Keyword {
+    keyword(name, &["ELSET", "VARIABLE"], requests::read, &[["names of outputs", "`outputs` of the elements", ""]])
+        .without_effect(&["DIRECTIONS", "FREQUENCY", "POSITION", "SUMMARY", "TOTALS"])
+        .below()
+        .in_steps()
+}
 
 /// What each keyword gives: the keyword, where it is given, the key of the scene, and the unit.
 pub fn table() -> Vec<[String; 4]> {
@@ -218,8 +295,22 @@ mod tests {
     }
 
     #[test]
-    fn keywords_are_found_without_their_blanks() {
+    fn keywords_are_found_without_their_blanks_and_not_by_a_part() {
         assert_eq!(Keyword::find("CONNECTORSECTION").map(|keyword| keyword.name), Some("CONNECTOR SECTION"));
-        assert!(Keyword::find("CONNECTORSECTIONS").is_none() && Keyword::find("").is_none());
+        assert!(Keyword::find("CONNECTORSECT").is_none() && Keyword::find("").is_none());
+        for (written, meant) in [
+            ("CONNECTORSECT", Some("CONNECTOR SECTION")),
+            ("ELEM", Some("ELEMENT")),
+            ("CONECTORSTOP", Some("CONNECTOR STOP")),
+            ("ORIENTATOIN", Some("ORIENTATION")),
+            ("INTERFACES", Some("INTERFACE")),
+            ("SURFACE", None),
+            ("NO", None),
+            ("MODE", None),
+            ("ELASTIC", None),
+            ("CONNECTORLOCK", None),
+        ] {
+            assert_eq!(Keyword::meant(written), meant, "{written}");
+        }
     }
 }

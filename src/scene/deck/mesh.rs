@@ -2,8 +2,8 @@
 
 use super::block::{Block, Line};
 use super::field::Field;
-use super::model::{Element, Item, Members, Node, Orientation, Points, System, Type};
-use super::motion::cylindrical;
+use super::model::{Element, Item, Members, Node, Orientation, Points, Type};
+use super::motion::{System, cylindrical};
 use super::reading::{Reading, found};
 use arrayvec::ArrayVec;
 
@@ -15,7 +15,7 @@ pub(super) fn heading(reading: &mut Reading, block: &Block) {
 }
 
 pub(super) fn node(reading: &mut Reading, block: &Block) {
-    let in_cylinder = reading.word(block, "SYSTEM", &[("R", false), ("C", true)]).unwrap_or(false);
+    let in_cylinder = reading.word(block, "SYSTEM", &[("R", false), ("C", true)]) == Some(true);
     let set = block.label(&mut reading.log, "NSET").map(|(label, _)| (reading.scope, label.key));
     let mut members = Vec::new();
     for line in block.full(reading.sources) {
@@ -158,65 +158,93 @@ pub(super) fn range(reading: &mut Reading, line: Line) -> Option<(u32, u32, u32)
     Some((from, to, step))
 }
 
+/// How points are given.
+#[derive(Clone, Copy)]
+enum Definition {
+    Coordinates,
+    Nodes,
+    OfElements,
+}
+
 pub(super) fn orientation(reading: &mut Reading, block: &Block) {
     let Some((label, place)) = block.required(&mut reading.log, "NAME") else { return };
-    let words = [("RECTANGULAR", System::Rectangular), ("Z RECTANGULAR", System::ThirdRectangular)];
-    let system = reading.word(block, "SYSTEM", &words);
-    let by_nodes = reading.word(block, "DEFINITION", &[("COORDINATES", false), ("NODES", true)]);
-    if block.parameter("SYSTEM").is_some() && system.is_none()
-        || block.parameter("DEFINITION").is_some() && by_nodes.is_none()
-    {
-        return;
-    }
+    let systems = [
+        ("RECTANGULAR", Some(System::Rectangular)),
+        ("Z RECTANGULAR", Some(System::ThirdRectangular)),
+        ("CYLINDRICAL", Some(System::Cylindrical)),
+        ("SPHERICAL", Some(System::Spherical)),
+        ("USER", None),
+    ];
+    let definitions = [
+        ("COORDINATES", Definition::Coordinates),
+        ("NODES", Definition::Nodes),
+        ("OFFSET TO NODES", Definition::OfElements),
+    ];
+    let system = reading.word(block, "SYSTEM", &systems);
+    let (Some(system), Some(definition)) = (system, reading.word(block, "DEFINITION", &definitions)) else { return };
     let mut lines = block.full(reading.sources);
-    let Some(line) = lines.next() else {
-        return reading.fault(block.place, "no data line", "a line with points a and b, and the origin if it is not 0");
-    };
-    let points = if by_nodes == Some(true) {
-        let nodes: Vec<_> = line.fields().map(|field| reading.node(field)).collect();
-        match nodes[..] {
-            [Some(a), Some(b)] => Some(Points::Nodes([a, b], None)),
-            [Some(a), Some(b), Some(c)] => Some(Points::Nodes([a, b], Some(c))),
-            _ => {
-                reading.fault(line.place, format!("{} nodes", nodes.len()), "2 or 3 nodes");
-                None
-            }
+    let (first, second) = (lines.next(), lines.next());
+    let points = match (system, definition, first) {
+        (None, ..) | (_, Definition::OfElements, _) => None,
+        (.., None) => {
+            return reading.fault(
+                block.place,
+                "no data line",
+                "a line with points a and b, and the origin if it is not 0",
+            );
         }
-    } else {
-        let count = line.fields().count();
-        if count < 4 {
-            reading.fault(line.place, format!("{count} numbers"), "6 or 9: points a and b, and the origin");
-        }
-        let [ax, ay, az, bx, by, bz, cx, cy, cz] = reading.numbers(line.fields());
-        Some(Points::Coordinates([[ax, ay, az], [bx, by, bz], [cx, cy, cz]]))
+        (_, Definition::Nodes, Some(line)) => points_by_nodes(reading, line),
+        (_, Definition::Coordinates, Some(line)) => points(reading, line),
     };
-    let turn = lines.next().and_then(|line| {
-        let [axis, angle] = reading.numbers(line.fields());
-        let axis = match axis {
-            // The default is the first.
-            0.0 | 1.0 => 0,
-            2.0 => 1,
-            3.0 => 2,
-            _ => {
-                reading.fault(
-                    line.place,
-                    format!("{axis:?}"),
-                    "the local direction 1, 2 or 3, and an angle in degrees",
-                );
-                return None;
-            }
-        };
-        (angle != 0.0).then_some((axis, angle))
-    });
-    if let Some(line) = lines.next() {
-        reading.fault(line.place, "a third data line", "two");
-    }
-    let Some(points) = points else { return };
-    let motion = reading.motion.clone();
-    let orientation =
-        Orientation { shown: label.shown, place, system: system.unwrap_or(System::Rectangular), points, turn, motion };
-    let known = reading.model.orientations.insert((reading.scope, label.key), orientation);
-    if let Some(known) = known {
+    // More rotations than one.
+    let points = points.filter(|_| lines.next().is_none());
+    let turn = second.filter(|_| points.is_some()).and_then(|line| turn(reading, line));
+    let (motion, system) = (reading.motion.clone(), system.unwrap_or(System::Rectangular));
+    let of_axes = first.filter(|_| points.is_some()).map_or(place, |line| line.place);
+    let orientation = Orientation { shown: label.shown, place: of_axes, system, points, turn, motion };
+    if let Some(known) = reading.model.orientations.insert((reading.scope, label.key), orientation) {
         reading.fault(place, format!("orientation {:?} for the second time", known.shown), "each name once");
     }
+}
+
+fn points_by_nodes(reading: &mut Reading, line: Line) -> Option<Points> {
+    let nodes: Vec<_> = line.fields().map(|field| reading.node(field)).collect();
+    match nodes[..] {
+        [Some(a), Some(b)] => Some(Points::Nodes([a, b], None)),
+        [Some(a), Some(b), Some(c)] => Some(Points::Nodes([a, b], Some(c))),
+        _ => {
+            reading.fault(line.place, format!("{} nodes", nodes.len()), "2 or 3 nodes");
+            None
+        }
+    }
+}
+
+fn points(reading: &mut Reading, line: Line) -> Option<Points> {
+    // The name of a distribution.
+    if line.text.trim_start().starts_with(|c: char| c.is_alphabetic() || c == '"' || c == '_') {
+        return None;
+    }
+    let count = line.fields().count();
+    if count < 4 {
+        reading.fault(line.place, format!("{count} numbers"), "6 or 9: points a and b, and the origin");
+    }
+    let [ax, ay, az, bx, by, bz, cx, cy, cz] = reading.numbers(line.fields());
+    Some(Points::Coordinates([[ax, ay, az], [bx, by, bz], [cx, cy, cz]]))
+}
+
+/// The local direction, from 0, and the angle about it.
+fn turn(reading: &mut Reading, line: Line) -> Option<(usize, f64)> {
+    let [axis, angle] = reading.numbers(line.fields());
+    let axis = match axis {
+        // The default is the first.
+        0.0 | 1.0 => 0,
+        2.0 => 1,
+        3.0 => 2,
+        _ => {
+            let allowed = "the local direction 1, 2 or 3, and an angle in degrees";
+            reading.fault(line.place, format!("{axis:?}"), allowed);
+            return None;
+        }
+    };
+    (angle != 0.0).then_some((axis, angle))
 }

@@ -14,6 +14,7 @@ mod model;
 mod motion;
 mod plan;
 mod reading;
+mod requests;
 mod sets;
 mod source;
 mod terms;
@@ -31,12 +32,13 @@ use log::{Log, Note, Raw};
 use reading::Reading;
 use source::{Place, Sources};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use text::Text;
 
 /// A deck that has been read: the text of its scene, and what of it the scene does not have.
 pub struct Deck {
     sources: Sources,
-    blocks: Vec<Block>,
+    starts: Starts,
     text: Text,
     left_out: Vec<LeftOut>,
     folder: Option<PathBuf>,
@@ -83,23 +85,29 @@ impl Deck {
             return Err(faults);
         };
         let blocks = blocks_of(&mut sources, file, folder, &mut log);
+        let starts = Starts::of(&blocks);
         let mut reading = Reading::new(&sources, log);
         walk::walk(&mut reading, &blocks);
         let Reading { model, mut log, .. } = reading;
         let text = if log.faults.is_empty() { write::write(&model, &mut log) } else { Text::default() };
-        drop(model);
+        drop((model, blocks));
         let Log { faults, more, mut notes, .. } = log;
         if !faults.is_empty() {
-            return Err(located(&sources, &blocks, faults, more));
+            return Err(located(&sources, &starts, faults, more));
         }
         notes.sort_by_key(|note| note.place);
-        let left_out = notes.into_iter().map(|note| left_out(&sources, &blocks, note)).collect();
-        Ok(Self { sources, blocks, text, left_out, folder: folder.map(Path::to_owned) })
+        let left_out = notes.into_iter().map(|note| left_out(&sources, &starts, note)).collect();
+        Ok(Self { sources, starts, text, left_out, folder: folder.map(Path::to_owned) })
     }
 
     /// The scene as text, which says what was understood of the deck.
     pub fn text(&self) -> &str {
         &self.text.json
+    }
+
+    /// The same, without the deck.
+    pub fn into_text(self) -> String {
+        self.text.json
     }
 
     /// What of the deck the scene does not have, in order.
@@ -123,24 +131,39 @@ impl Deck {
                 log.fault(place, &**found, &**allowed);
             }
             let more = faults.len() - faults.list().len();
-            located(&self.sources, &self.blocks, log.faults, more)
+            located(&self.sources, &self.starts, log.faults, more)
         })
     }
 }
 
-/// The shown keyword of the block that has this place in its data lines, or in its keyword line.
-fn keyword(blocks: &[Block], place: Place) -> &str {
-    let before = || blocks.iter().filter(|block| block.place.file == place.file && block.place <= place);
-    let block = blocks.iter().find(|block| block.has(place)).or_else(|| before().max_by_key(|block| block.place));
-    block.map_or("", |block| &block.shown)
+/// Where keyword lines and data lines begin, in order, each with its keyword as it is shown.
+struct Starts(Vec<(Place, Arc<str>)>);
+
+impl Starts {
+    fn of(blocks: &[Block]) -> Self {
+        let of_block = |block: &Block| {
+            let shown: Arc<str> = (*block.shown).into();
+            block.starts().map(|start| (start, Arc::clone(&shown))).collect::<Vec<_>>()
+        };
+        let mut starts: Vec<_> = blocks.iter().flat_map(of_block).collect();
+        starts.sort_by_key(|(start, _)| *start);
+        Self(starts)
+    }
+
+    /// The keyword of a place; empty before the first.
+    fn keyword(&self, place: Place) -> &str {
+        let before = self.0.partition_point(|(start, _)| *start <= place);
+        let last = before.checked_sub(1).map(|last| &self.0[last]);
+        last.filter(|(start, _)| start.file == place.file).map_or("", |(_, keyword)| keyword)
+    }
 }
 
-fn located(sources: &Sources, blocks: &[Block], mut raw: Vec<Raw>, more: usize) -> Faults {
+fn located(sources: &Sources, starts: &Starts, mut raw: Vec<Raw>, more: usize) -> Faults {
     raw.sort_by_key(|raw| raw.place);
     let mut faults = Faults::default();
     for Raw { place, found, allowed } in raw {
         let (line, column) = sources.locate(place);
-        let keyword = keyword(blocks, place);
+        let keyword = starts.keyword(place);
         let path = match sources.included(place) {
             Some(file) if keyword.is_empty() => file.into(),
             Some(file) => format!("{keyword} in {file}"),
@@ -152,9 +175,9 @@ fn located(sources: &Sources, blocks: &[Block], mut raw: Vec<Raw>, more: usize) 
     faults
 }
 
-fn left_out(sources: &Sources, blocks: &[Block], Note { place, what, matters }: Note) -> LeftOut {
+fn left_out(sources: &Sources, starts: &Starts, Note { place, what, matters }: Note) -> LeftOut {
     let (line, _) = sources.locate(place);
-    let (file, keyword) = (sources.included(place).map(String::from), keyword(blocks, place).to_owned());
+    let (file, keyword) = (sources.included(place).map(String::from), starts.keyword(place).to_owned());
     LeftOut { file, line, keyword, what, matters }
 }
 

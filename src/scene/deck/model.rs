@@ -1,7 +1,7 @@
 //! What a deck says, before it is a scene: numbers and names are those of the deck.
 
 use super::field::Label;
-use super::motion::Motion;
+use super::motion::{Motion, System};
 use super::source::Place;
 use indexmap::IndexMap;
 use std::collections::HashMap;
@@ -36,6 +36,7 @@ pub(super) struct Model {
     pub(super) sliders: Vec<[Reference; 3]>,
     pub(super) lines: Vec<SlideLine>,
     pub(super) interfaces: Vec<Interface>,
+    pub(super) requests: Vec<Request>,
     /// How often torques are printed.
     pub(super) torque_frequency: Option<At<u32>>,
 }
@@ -107,20 +108,14 @@ pub(super) struct Reference {
 /// A system of axes.
 pub(super) struct Orientation {
     pub(super) shown: String,
+    /// That of its points, if it has any.
     pub(super) place: Place,
     pub(super) system: System,
-    pub(super) points: Points,
+    /// `None` if it is described in another way, which connectors do not have.
+    pub(super) points: Option<Points>,
     /// The axis from 0, and the angle in degrees.
     pub(super) turn: Option<(usize, f64)>,
     pub(super) motion: Option<Motion>,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum System {
-    /// Point a on the first axis, b in the plane of the first two.
-    Rectangular,
-    /// Point a on the third axis, b in the plane of the third and the first.
-    ThirdRectangular,
 }
 
 /// The points a, b and the origin.
@@ -145,12 +140,19 @@ pub(super) struct Section {
 /// *CONNECTOR BEHAVIOR.
 #[derive(Default)]
 pub(super) struct Behavior {
-    pub(super) friction: Option<Friction>,
+    /// The last is that to which *FRICTION belongs.
+    pub(super) frictions: Vec<Friction>,
     pub(super) stops: Vec<Stop>,
     /// Components and their references.
     pub(super) reference: Vec<(u8, At<f64>)>,
     /// What of it the scene does not have.
     pub(super) others: Vec<At<&'static str>>,
+}
+
+impl Behavior {
+    pub(super) fn predefined(&self) -> Option<&Friction> {
+        self.frictions.iter().find(|friction| friction.predefined)
+    }
 }
 
 /// *CONNECTOR STOP.
@@ -189,6 +191,15 @@ pub(super) struct Interface {
     /// The keys and numbers of the pressure law.
     pub(super) pressure: Vec<(&'static str, At<f64>)>,
     pub(super) friction: Option<Place>,
+}
+
+/// *ELEMENT OUTPUT and the like.
+pub(super) struct Request {
+    /// The elements; all of them if none are named.
+    pub(super) of: Option<(Scope, Label)>,
+    /// Names of outputs; `None` stands for all.
+    pub(super) names: Option<Vec<At<String>>>,
+    pub(super) place: Place,
 }
 
 impl Model {

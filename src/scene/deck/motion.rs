@@ -70,11 +70,15 @@ impl Motion {
     }
 
     pub(super) fn of_point(&self, point: [f64; 3]) -> [f64; 3] {
-        let moved = exactly(point) + exactly(self.by);
-        rounded(match &self.turn {
+        rounded(self.moved(exactly(point)))
+    }
+
+    fn moved(&self, point: V) -> V {
+        let moved = point + exactly(self.by);
+        match &self.turn {
             None => moved,
             Some((a, rotation)) => a + rotation * (moved - a),
-        })
+        }
     }
 
     fn of_direction(&self, direction: V) -> V {
@@ -88,19 +92,43 @@ pub(super) fn cylindrical([r, degrees, z]: [f64; 3]) -> [f64; 3] {
     rounded(Vector3::new(cosine, sine, Octuple::from(0.0)) * Octuple::from(r) + exactly([0.0, 0.0, z]))
 }
 
-/// The first axis, and a vector in the plane of the first two; point a is on the first axis, or on the third, b in the plane of the
-/// first and the second, or of the third and the first. Without a rotation they are the differences of the points.
+/// How points give axes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum System {
+    /// Point a on the first axis, b in the plane of the first two.
+    Rectangular,
+    /// Point a on the third axis, b in the plane of the third and the first.
+    ThirdRectangular,
+    /// Both points on the third axis; the first is along the radius through the node.
+    Cylindrical,
+    /// Point a in the middle, b on the polar axis; the first is along the radius through the node, the second around the axis.
+    Spherical,
+}
+
+/// The first axis, and a vector in the plane of the first two, of a system by the points a, b and the origin, at a node. Without a
+/// rotation those of a rectangular system are the differences of the points.
 pub(super) fn axes(
-    [a, b, c]: [[f64; 3]; 3],
-    on_third: bool,
+    points: [[f64; 3]; 3],
+    system: System,
+    node: [f64; 3],
     turn: Option<(usize, f64)>,
     motion: Option<&Motion>,
 ) -> [[f64; 3]; 2] {
-    let [mut first, mut second] = [a, b].map(|point| exactly(point) - exactly(c));
-    if on_third {
+    let [a, b, c] = points.map(exactly);
+    let [mut first, mut second] = [a - c, b - c];
+    if system == System::ThirdRectangular {
         let third = unit(first);
         second = unit(third.cross(&second));
         first = second.cross(&third);
+    }
+    let direction = |v| motion.map_or(v, |motion| motion.of_direction(v));
+    if matches!(system, System::Cylindrical | System::Spherical) {
+        let from = exactly(node) - motion.map_or(a, |motion| motion.moved(a));
+        let axis = unit(direction(b - a));
+        second = axis.cross(&from);
+        first = if system == System::Cylindrical { second.cross(&axis) } else { from };
+    } else {
+        [first, second] = [first, second].map(direction);
     }
     if let Some((axis, degrees)) = turn {
         let first_unit = unit(first);
@@ -109,7 +137,7 @@ pub(super) fn axes(
         let rotation = rotation(&triad[axis], degrees);
         [first, second] = [rotation * triad[0], rotation * triad[1]];
     }
-    [first, second].map(|v| rounded(motion.map_or(v, |motion| motion.of_direction(v))))
+    [first, second].map(rounded)
 }
 
 /// The angle of the first axis in the plane, in radians; `None` if the axes are not in the plane, or the third points below it.
@@ -146,10 +174,18 @@ mod tests {
     #[test]
     fn axes_are_those_of_the_points() {
         let points = [[3.0, 1.0, 1.0], [1.0, 4.0, 1.0], [1.0, 1.0, 1.0]];
-        assert_eq!(axes(points, false, None, None), [[2.0, 0.0, 0.0], [0.0, 3.0, 0.0]]);
-        assert_eq!(axes(points, true, None, None), [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
-        assert_eq!(axes(points, false, Some((0, 90.0)), None), [[1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]);
-        assert_eq!(axes(points, false, Some((2, 90.0)), None), [[0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]]);
+        let of = |system, turn, motion| axes(points, system, [5.0, 1.0, 4.0], turn, motion);
+        let rectangular = |turn| of(System::Rectangular, turn, None);
+        assert_eq!(rectangular(None), [[2.0, 0.0, 0.0], [0.0, 3.0, 0.0]]);
+        assert_eq!(rectangular(Some((0, 90.0))), [[1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]);
+        assert_eq!(rectangular(Some((2, 90.0))), [[0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]]);
+        assert_eq!(of(System::ThirdRectangular, None, None), [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+        // About an axis through (1, 1, 1) along the third, of an instance that has turned by a right angle, and moved.
+        let points = [[1.0, -1.0, 1.0], [1.0, -1.0, 3.0], [0.0; 3]];
+        let moved = Motion::new([0.0, 0.0, 0.5], Some(([0.0; 3], [0.0, 0.0, 1.0], 90.0))).unwrap();
+        let of = |system| axes(points, system, [1.0, 5.0, 4.5], None, Some(&moved));
+        assert_eq!(of(System::Cylindrical), [[0.0, 4.0, 0.0], [-4.0, 0.0, 0.0]]);
+        assert_eq!(of(System::Spherical), [[0.0, 4.0, 3.0], [-4.0, 0.0, 0.0]]);
         assert_eq!(angle([[0.0, 2.0, 0.0], [-1.0, 0.0, 0.0]]), Some(std::f64::consts::FRAC_PI_2));
         assert_eq!(angle([[0.0, 2.0, 0.0], [1.0, 0.0, 0.0]]), None);
     }

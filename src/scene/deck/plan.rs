@@ -86,7 +86,7 @@ struct Used {
 impl Used {
     /// What no kind of the section uses is left out.
     fn check(&self, behavior: &Behavior, log: &mut Log) {
-        if let Some(friction) = behavior.friction.as_ref().filter(|friction| friction.predefined && !self.friction) {
+        if let Some(friction) = behavior.predefined().filter(|_| !self.friction) {
             log.leave_out(friction.place, "friction of this type of connection", true);
         }
         for Stop { component, place, .. } in behavior.stops.iter().filter(|stop| !self.stops.contains(&stop.component))
@@ -145,7 +145,7 @@ fn friction(
     used: &mut Used,
     log: &mut Log,
 ) -> Vec<(&'static str, f64, Place)> {
-    let Some(friction) = behavior.friction.as_ref().filter(|friction| friction.predefined) else { return Vec::new() };
+    let Some(friction) = behavior.predefined() else { return Vec::new() };
     let Some((_, names)) = PREDEFINED.iter().find(|(name, _)| *name == kind.name) else { return Vec::new() };
     used.friction = true;
     let mut all = Vec::new();

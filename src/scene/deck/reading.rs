@@ -132,9 +132,9 @@ impl<'s> Reading<'s> {
         scope
     }
 
-    /// One of these words, as the value of a parameter.
+    /// One of these words, as the value of a parameter; the first if it is not given.
     pub(super) fn word<T: Copy>(&mut self, block: &Block, name: &str, words: &[(&str, T)]) -> Option<T> {
-        let parameter = block.parameter(name)?;
+        let Some(parameter) = block.parameter(name) else { return words.first().map(|(_, value)| *value) };
         let text = parameter.value.as_deref().unwrap_or_default();
         let written = without_blanks(text).to_uppercase();
         let word = words.iter().find(|(word, _)| without_blanks(word) == written).map(|(_, value)| *value);

@@ -23,6 +23,44 @@ pub(super) fn candidates(model: &Model, scope: Scope, key: &str) -> Vec<Named> {
 /// What kind of members a set has, for messages.
 pub(super) type What = &'static str;
 
+/// A number, or first, last and increment of several, in a scope.
+type Part = (Scope, [u32; 3], Place);
+
+/// The parts of a set and of those that it contains, in order, each set once; `missing` is called for those that there are not.
+fn parts(
+    model: &Model,
+    sets: &HashMap<Named, Vec<Item>>,
+    (scope, key, place): (Scope, &str, Place),
+    missing: &mut dyn FnMut(&str, Place),
+) -> Vec<Part> {
+    let (mut found, mut entered) = (Vec::new(), HashSet::new());
+    // What remains of the sets that are open, the innermost last.
+    let root = [Item { scope, of: Members::Set(key.into()), place }];
+    let mut open: Vec<std::slice::Iter<Item>> = vec![root.iter()];
+    while let Some(items) = open.last_mut() {
+        let Some(Item { scope, of, place }) = items.next() else {
+            open.pop();
+            continue;
+        };
+        match of {
+            Members::One(number) => found.push((*scope, [*number, *number, 1], *place)),
+            Members::Range(first, last, step) => found.push((*scope, [*first, *last, *step], *place)),
+            Members::Set(key) => {
+                match candidates(model, *scope, key).into_iter().find(|name| sets.contains_key(name)) {
+                    None => missing(key, *place),
+                    Some(name) => {
+                        let items = sets[&name].iter();
+                        if entered.insert(name) {
+                            open.push(items);
+                        }
+                    }
+                }
+            }
+        }
+    }
+    found
+}
+
 /// The members of a set, in order, each once, with their places. Members that are not known end a range.
 pub(super) fn members(
     model: &Model,
@@ -32,56 +70,47 @@ pub(super) fn members(
     log: &mut Log,
     is_known: &dyn Fn(Numbered) -> bool,
 ) -> Vec<(Numbered, Place)> {
-    let (scope, key, place) = named;
-    let mut found = Vec::new();
-    let mut seen = HashSet::new();
-    let mut entered: HashSet<Named> = HashSet::new();
-    // What remains of the sets that are open, the innermost last.
-    let root = [Item { scope, of: Members::Set(key.into()), place }];
-    let mut open: Vec<std::slice::Iter<Item>> = vec![root.iter()];
-    while let Some(items) = open.last_mut() {
-        let Some(Item { scope, of, place }) = items.next() else {
-            open.pop();
-            continue;
-        };
-        let (first, last, step) = match of {
-            Members::One(number) => (*number, *number, 1),
-            Members::Range(first, last, step) => (*first, *last, *step),
-            Members::Set(key) => {
-                let known = candidates(model, *scope, key).into_iter().find(|name| sets.contains_key(name));
-                match known {
-                    None => {
-                        let mut names: Vec<_> = sets.keys().map(|(_, name)| name).collect();
-                        names.sort_unstable();
-                        names.dedup();
-                        let allowed = if names.is_empty() {
-                            "no set, there are none".into()
-                        } else {
-                            format!("one of {}", some_of(names.into_iter()))
-                        };
-                        log.fault(*place, format!("no {what} set {key:?}"), allowed);
-                    }
-                    Some(name) => {
-                        if entered.insert(name.clone()) {
-                            open.push(sets[&name].iter());
-                        }
-                    }
-                }
-                continue;
-            }
-        };
+    let mut missing = |key: &str, place| {
+        let mut names: Vec<_> = sets.keys().map(|(_, name)| name).collect();
+        names.sort_unstable();
+        names.dedup();
+        let some = some_of(names.into_iter());
+        let allowed = if some.is_empty() { "no set, there are none".into() } else { format!("one of {some}") };
+        log.fault(place, format!("no {what} set {key:?}"), allowed);
+    };
+    let parts = parts(model, sets, named, &mut missing);
+    let (mut found, mut seen) = (Vec::new(), HashSet::new());
+    for (scope, [first, last, step], place) in parts {
         for number in (first..=last).step_by(step as usize) {
-            let member = (*scope, number);
+            let member = (scope, number);
             if !is_known(member) {
-                log.fault(*place, format!("no {what} {}", model.shown(member)), format!("the number of a {what}"));
+                log.fault(place, format!("no {what} {}", model.shown(member)), format!("the number of a {what}"));
                 break;
             }
             if seen.insert(member) {
-                found.push((member, *place));
+                found.push((member, place));
             }
         }
     }
     found
+}
+
+/// Whether each element, by its index, is in a set, which may have others, too.
+pub(super) fn are_in(model: &Model, scope: Scope, key: &str, place: Place) -> Vec<bool> {
+    let mut are_in = vec![false; model.elements.len()];
+    for (scope, [first, last, step], _) in parts(model, &model.element_sets, (scope, key, place), &mut |_, _| {}) {
+        // A range may be longer than the model.
+        if (last - first) as usize > are_in.len() {
+            for (is_in, &(of, number)) in are_in.iter_mut().zip(model.elements.keys()) {
+                *is_in |= of == scope && (first..=last).contains(&number) && (number - first).is_multiple_of(step);
+            }
+            continue;
+        }
+        for number in (first..=last).step_by(step as usize) {
+            model.elements.get_index_of(&(scope, number)).into_iter().for_each(|index| are_in[index] = true);
+        }
+    }
+    are_in
 }
 
 /// The nodes that a reference names.

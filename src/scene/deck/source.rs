@@ -15,10 +15,11 @@ impl Place {
     }
 }
 
-/// A file: its name as the deck or the caller gives it, and its text.
+/// A file: its name as the deck or the caller gives it, its text, and where each of its lines begins.
 struct Source {
     name: String,
     text: String,
+    lines: Vec<u32>,
 }
 
 /// The files of a deck, the deck itself first.
@@ -31,7 +32,9 @@ impl Sources {
         let text =
             String::from_utf8(bytes).unwrap_or_else(|error| String::from_utf8_lossy(error.as_bytes()).into_owned());
         u32::try_from(text.len()).ok()?;
-        self.0.push(Source { name: name.into(), text });
+        let begins = (1_u32..).zip(text.bytes()).filter(|(_, byte)| *byte == b'\n').map(|(next, _)| next);
+        let lines = std::iter::once(0).chain(begins).collect();
+        self.0.push(Source { name: name.into(), text, lines });
         u32::try_from(self.0.len() - 1).ok()
     }
 
@@ -50,9 +53,9 @@ impl Sources {
 
     /// Line and column of a place, both from 1; the column in characters.
     pub(super) fn locate(&self, place: Place) -> (usize, usize) {
-        let before = &self.text(place.file)[..place.at as usize];
-        let line = before.bytes().filter(|&byte| byte == b'\n').count() + 1;
-        let column = before.chars().rev().take_while(|&c| c != '\n').count() + 1;
+        let Source { text, lines, .. } = &self.0[place.file as usize];
+        let line = lines.partition_point(|&begin| begin <= place.at);
+        let column = text[lines[line - 1] as usize..place.at as usize].chars().count() + 1;
         (line, column)
     }
 }

@@ -6,6 +6,9 @@ use crate::scene::kind::{Dimension, Kind};
 pub(super) const ASSEMBLED: [([&str; 2], &str); 3] =
     [(["SLOT", "ALIGN"], "TRANSLATOR"), (["JOIN", "REVOLUTE"], "HINGE"), (["JOIN", "UNIVERSAL"], "UJOINT")];
 
+/// Types with an optional orientation at a: the global axes by default, says the connection library. Others require one.
+pub(super) const GLOBAL_IF_NONE: [&str; 2] = ["join", "align"];
+
 /// The parameters of predefined friction, in the order of the connection library.
 pub(super) const PREDEFINED: [(&str, &[&str]); 4] = [
     ("slot", &["fc_int"]),

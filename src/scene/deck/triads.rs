@@ -2,8 +2,8 @@
 
 use super::field::Label;
 use super::log::Log;
-use super::model::{Model, Named, Numbered, Orientation, Points, System};
-use super::motion::{angle, axes};
+use super::model::{Model, Named, Numbered, Orientation, Points};
+use super::motion::{System, angle, axes};
 use super::sets::candidates;
 use super::source::Place;
 use crate::scene::json::some_of;
@@ -21,7 +21,8 @@ pub(super) struct Triads {
     pub(super) list: Vec<Triad>,
     /// The triad of each node, by their indices.
     pub(super) of: HashMap<usize, usize>,
-    known: HashMap<Named, Option<usize>>,
+    /// Those of orientations, and of the nodes on which their axes depend.
+    known: HashMap<(Named, Option<usize>), Option<usize>>,
     global: Option<usize>,
     /// Those that nodes b have only from their nodes a.
     inherited: HashMap<usize, usize>,
@@ -31,15 +32,8 @@ pub(super) struct Triads {
 type Wanted<'l> = (u32, &'l Label, Place);
 
 impl Triads {
-    /// Gives a node the orientation of this name; a fault if it has another.
-    pub(super) fn give(&mut self, model: &Model, node: usize, wanted: Wanted, is_plane: bool, log: &mut Log) {
-        let place = wanted.2;
-        if let Some(triad) = self.find(model, wanted, is_plane, log) {
-            self.set(node, triad, place, log);
-        }
-    }
-
-    fn set(&mut self, node: usize, triad: usize, place: Place, log: &mut Log) {
+    /// Gives a node a triad; a fault if it has another.
+    pub(super) fn give(&mut self, node: usize, triad: usize, place: Place, log: &mut Log) {
         let before = *self.of.entry(node).or_insert(triad);
         if before != triad {
             let [before, triad] = [before, triad].map(|triad| &self.list[triad].name);
@@ -48,26 +42,31 @@ impl Triads {
         }
     }
 
-    /// A node b without an orientation has that of a at the start.
-    pub(super) fn inherit(&mut self, model: &Model, node: usize, wanted: Wanted, is_plane: bool, log: &mut Log) {
-        let place = wanted.2;
-        let Some(triad) = self.find(model, wanted, is_plane, log) else { return };
+    /// A node b without an orientation has the triad of a at the start.
+    pub(super) fn inherit(&mut self, node: usize, triad: usize, place: Place, log: &mut Log) {
         let before = *self.inherited.entry(node).or_insert(triad);
         if before != triad || self.of.get(&node).is_some_and(|own| *own != triad) {
-            self.set(node, triad, place, log);
+            self.give(node, triad, place, log);
         }
     }
 
-    /// Gives a node the global axes.
-    pub(super) fn give_global(&mut self, node: usize, place: Place, log: &mut Log) {
-        let global = *self.global.get_or_insert_with(|| {
+    /// The global axes.
+    pub(super) fn global(&mut self, place: Place) -> usize {
+        *self.global.get_or_insert_with(|| {
             self.list.push(Triad { name: "global axes".into(), place, axes: Ok([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]) });
             self.list.len() - 1
-        });
-        self.set(node, global, place, log);
+        })
     }
 
-    fn find(&mut self, model: &Model, (scope, label, place): Wanted, is_plane: bool, log: &mut Log) -> Option<usize> {
+    /// The triad of this name at a node.
+    pub(super) fn find(
+        &mut self,
+        model: &Model,
+        node: usize,
+        (scope, label, place): Wanted,
+        is_plane: bool,
+        log: &mut Log,
+    ) -> Option<usize> {
         let named = candidates(model, scope, &label.key).into_iter().find(|name| model.orientations.contains_key(name));
         let Some(named) = named else {
             let names = some_of(model.orientations.values().map(|orientation| &orientation.shown));
@@ -76,21 +75,31 @@ impl Triads {
             log.fault(place, format!("no orientation {:?}", label.shown), allowed);
             return None;
         };
-        if let Some(known) = self.known.get(&named) {
+        let orientation = &model.orientations[&named];
+        let of_node = matches!(orientation.system, System::Cylindrical | System::Spherical).then_some(node);
+        let key = (named, of_node);
+        if let Some(known) = self.known.get(&key) {
             return *known;
         }
-        let orientation = &model.orientations[&named];
-        let triad = triad(model, named.0, orientation, is_plane, log);
+        let triad = triad(model, key.0.0, orientation, (node, of_node.is_some()), is_plane, log);
         let index = triad.map(|triad| {
             self.list.push(triad);
             self.list.len() - 1
         });
-        self.known.insert(named, index);
+        self.known.insert(key, index);
         index
     }
 }
 
-fn triad(model: &Model, scope: u32, orientation: &Orientation, is_plane: bool, log: &mut Log) -> Option<Triad> {
+/// The triad of an orientation at a node, which its name mentions if its axes depend on it.
+fn triad(
+    model: &Model,
+    scope: u32,
+    orientation: &Orientation,
+    (node, depends): (usize, bool),
+    is_plane: bool,
+    log: &mut Log,
+) -> Option<Triad> {
     let Orientation { shown, place, system, points, turn, motion } = orientation;
     let mut at = |&(node, place): &(Numbered, Place)| {
         let known = model.nodes.get(&node).map(|node| node.at);
@@ -100,11 +109,18 @@ fn triad(model: &Model, scope: u32, orientation: &Orientation, is_plane: bool, l
         known
     };
     let (points, motion) = match points {
-        Points::Coordinates(points) => (*points, motion.as_ref()),
+        None => {
+            let found =
+                format!("orientation {shown:?}, by nodes of each element, a distribution, a program or several angles");
+            log.fault(*place, found, "points a and b, the origin, and one angle, for connectors");
+            return None;
+        }
+        Some(Points::Coordinates(points)) => (*points, motion.as_ref()),
         // The nodes are where the instance is.
-        Points::Nodes([a, b], origin) => ([at(a)?, at(b)?, origin.as_ref().map_or(Some([0.0; 3]), at)?], None),
+        Some(Points::Nodes([a, b], origin)) => ([at(a)?, at(b)?, origin.as_ref().map_or(Some([0.0; 3]), at)?], None),
     };
-    let axes = axes(points, *system == System::ThirdRectangular, *turn, motion);
+    let (number, node) = model.nodes.get_index(node)?;
+    let axes = axes(points, *system, node.at, *turn, motion);
     let axes = if is_plane {
         let angle = angle(axes);
         if angle.is_none() {
@@ -116,5 +132,6 @@ fn triad(model: &Model, scope: u32, orientation: &Orientation, is_plane: bool, l
     };
     let of = &model.scopes[scope as usize];
     let name = if of.is_empty() { shown.clone() } else { format!("{of}.{shown}") };
+    let name = if depends { format!("{name} at {}", model.shown(*number)) } else { name };
     Some(Triad { name, place: *place, axes })
 }

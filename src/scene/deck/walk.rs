@@ -1,6 +1,6 @@
 //! Through the blocks of a deck: parts, their instances, steps, and every keyword by its table.
 
-use super::block::Block;
+use super::block::{Block, Parameter};
 use super::keywords::Keyword;
 use super::motion::Motion;
 use super::reading::{Context, Reading};
@@ -49,8 +49,9 @@ pub(super) fn walk(reading: &mut Reading, blocks: &[Block]) {
                 reading.log.leave_out(block.place, "a step: its motions and loads are those of a history", false);
             }
             "ENDSTEP" => in_step = false,
-            "TORQUEPRINT" => one(reading, block),
-            _ if in_step => reading.log.leave_out(block.place, "in a step", false),
+            name if in_step && !Keyword::find(name).is_some_and(|keyword| keyword.in_steps) => {
+                reading.log.leave_out(block.place, "in a step", false);
+            }
             _ => one(reading, block),
         }
     }
@@ -70,31 +71,34 @@ fn leave(reading: &mut Reading) {
 }
 
 fn one(reading: &mut Reading, block: &Block) {
-    let Some(keyword) = Keyword::find(&block.name) else {
-        if matches!(reading.context, Context::Behavior(_)) && block.name.starts_with("CONNECTOR") {
-            return super::connector::other(reading, block);
-        }
-        reading.context = Context::Nothing;
-        if block.name == "SYSTEM" {
-            return reading.fault(
-                block.place,
-                "a system in which the nodes below are given",
-                "nodes in global coordinates",
-            );
-        }
-        return reading.log.leave_out(block.place, "not read", MAKERS.contains(&&*block.name));
-    };
-    for parameter in block.parameters() {
-        let is = |known: &&&str| **known == parameter.name;
-        let known = keyword.parameters.iter().find(is).or(keyword.without_effect.iter().find(is));
-        if known.is_none() {
-            reading.log.leave_out(parameter.place, format!("the parameter {}", parameter.name), true);
+    let Some(keyword) = Keyword::find(&block.name) else { return unknown(reading, block) };
+    for Parameter { name, place, .. } in block.parameters() {
+        let is_known = [keyword.parameters, keyword.without_effect].concat().contains(&&**name);
+        match keyword.meant_parameter(name).filter(|_| !is_known) {
+            Some(meant) => reading.fault(*place, format!("the parameter {name}"), format!("{meant}, spelled out")),
+            None if is_known => {}
+            None => reading.log.leave_out(*place, format!("the parameter {name}"), true),
         }
     }
     if !keyword.is_below {
         reading.context = Context::Nothing;
     }
     (keyword.read)(reading, block);
+}
+
+fn unknown(reading: &mut Reading, block: &Block) {
+    if let Some(meant) = Keyword::meant(&block.name) {
+        return reading.fault(block.place, "an unknown keyword", format!("*{meant}, spelled out"));
+    }
+    if matches!(reading.context, Context::Behavior(_)) && block.name.starts_with("CONNECTOR") {
+        return super::connector::other(reading, block);
+    }
+    reading.context = Context::Nothing;
+    match &*block.name {
+        "SYSTEM" => reading.fault(block.place, "a system of the nodes below", "nodes in global coordinates"),
+        "PARAMETER" => reading.fault(block.place, "parameters, which are computed", "their values where they are used"),
+        name => reading.log.leave_out(block.place, "not read", MAKERS.contains(&name)),
+    }
 }
 
 fn instance(reading: &mut Reading, block: &Block, blocks: &[Block], parts: &mut HashMap<String, Part>) {

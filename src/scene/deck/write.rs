@@ -1,16 +1,19 @@
 //! From what a deck says to the text of a scene.
 
+use super::field::Label;
 use super::log::Log;
-use super::model::{Element, Interface, Model, Numbered, Section, SlideLine, Type};
+use super::model::{At, Element, Interface, Model, Numbered, Section, SlideLine, Type};
 use super::plan::{Planned, planned};
+use super::requests::Requested;
 use super::sets::{members, nodes_of};
 use super::source::Place;
-use super::terms::dimension_of;
+use super::terms::{GLOBAL_IF_NONE, dimension_of};
 use super::text::{ARRAY, OBJECT, Text};
 use super::triads::{Triad, Triads};
 use crate::scene::kind::{Dimension, Kind};
 use crate::scene::plan::wanted;
 use crate::scene::read::keys;
+use indexmap::IndexMap;
 
 /// A scene before it is text: its parts in order.
 struct Draft<'m> {
@@ -22,6 +25,7 @@ struct Draft<'m> {
     interfaces: Vec<Option<u32>>,
     plans: Vec<Vec<Planned>>,
     sliders: Vec<([Numbered; 3], Place)>,
+    requested: Requested,
     triads: Triads,
     /// Whether the scene has a node, by its index.
     is_used: Vec<bool>,
@@ -44,7 +48,14 @@ pub(super) fn write(model: &Model, log: &mut Log) -> Text {
     let interfaces = owners(named, "interface", &|element| element.of.slides(), log);
     let (triads, is_used) = (Triads::default(), vec![false; model.nodes.len()]);
     let sliders = sliders(model, log);
-    let mut draft = Draft { model, dimension, sections, lines, interfaces, plans, sliders, triads, is_used };
+    let is_planned = |section: u32| !plans[section as usize].is_empty();
+    let has = |index: usize| lines[index].is_some() || sections[index].is_some_and(is_planned);
+    let is_there = |of: &Type| model.elements.values().any(|element| element.of == *of);
+    let slide = [Type::Linear, Type::Parabolic].into_iter().filter(is_there);
+    let slide = slide.filter_map(|of| sliding_kind(of, dimension));
+    let kinds: Vec<_> = plans.iter().flatten().map(|plan| plan.kind).chain(slide).collect();
+    let requested = Requested::of(model, &kinds, &has, log);
+    let mut draft = Draft { model, dimension, sections, lines, interfaces, plans, sliders, requested, triads, is_used };
     draft.check(log);
     draft.write(&mut text, log);
     text
@@ -189,27 +200,35 @@ impl<'m> Draft<'m> {
     /// Gives the nodes of a connector the triads of its section.
     fn orient(&mut self, kind: &Kind, section: &'m Section, [a, b]: [usize; 2], log: &mut Log) {
         let is_plane = self.dimension != Dimension::Space;
-        for (end, node) in [a, b].into_iter().enumerate() {
-            if !kind.reads_triad(end) {
-                continue;
+        let [at_a, at_b] = &section.orientations;
+        let give = |triads: &mut Triads, node, (label, place): &'m At<Label>, log: &mut Log| {
+            let triad = triads.find(self.model, node, (section.scope, label, *place), is_plane, log)?;
+            triads.give(node, triad, *place, log);
+            Some(triad)
+        };
+        let triad_of_a = match at_a {
+            _ if !kind.reads_triad(0) => None,
+            Some(orientation) => give(&mut self.triads, a, orientation, log),
+            None if GLOBAL_IF_NONE.contains(&kind.name) => {
+                let global = self.triads.global(section.place);
+                self.triads.give(a, global, section.place, log);
+                Some(global)
             }
-            match &section.orientations[end] {
-                Some((label, place)) => {
-                    let named = (section.scope, label, *place);
-                    self.triads.give(self.model, node, named, is_plane, log);
-                }
-                // The documents let it be that of a; JOIN needs none at all.
-                None if end == 1 => {
-                    if let Some((label, place)) = &section.orientations[0] {
-                        self.triads.inherit(self.model, node, (section.scope, label, *place), is_plane, log);
-                    }
-                }
-                None if kind.name == "join" => self.triads.give_global(node, section.place, log),
-                None => {
-                    let found = format!("no orientation at a, in whose axes {} measures", kind.name.to_uppercase());
-                    log.fault(section.place, found, "a second data line with the name of an orientation");
-                }
+            None => {
+                let found = format!("no orientation at a, in whose axes {} measures", kind.name.to_uppercase());
+                log.fault(section.place, found, "a second data line with the name of an orientation");
+                None
             }
+        };
+        match (at_b, triad_of_a) {
+            _ if !kind.reads_triad(1) => {}
+            (Some(orientation), _) => drop(give(&mut self.triads, b, orientation, log)),
+            // The connection library lets it be that of a.
+            (None, Some(triad)) => {
+                let place = at_a.as_ref().map_or(section.place, |(_, place)| *place);
+                self.triads.inherit(b, triad, place, log);
+            }
+            (None, None) => {}
         }
     }
 
@@ -339,22 +358,29 @@ impl<'m> Draft<'m> {
         }
     }
 
-    /// The outputs of the scene: of each kind those that all its elements can have.
+    /// The outputs of an element of a kind, one bit per output: of those that it can have, the requested ones.
+    fn outputs_of(&self, index: usize, kind: &'static Kind, mask: u64) -> u64 {
+        if self.requested.is_empty() { mask } else { mask & self.requested.of_element(index, kind) }
+    }
+
+    /// The outputs of the scene: of each kind those that all its elements have.
     fn outputs(&self) -> Vec<&'static str> {
-        let mut of_kinds: Vec<(&'static Kind, u64)> = Vec::new();
+        let mut of_kinds: IndexMap<&'static str, (&'static Kind, u64)> = IndexMap::new();
         let mut note =
-            |kind: &'static Kind, outputs: u64| match of_kinds.iter_mut().find(|(known, _)| known.name == kind.name) {
-                Some((_, all)) => *all &= outputs,
-                None => of_kinds.push((kind, outputs)),
-            };
-        for section in self.sections.iter().flatten() {
-            self.plans[*section as usize].iter().for_each(|plan| note(plan.kind, plan.outputs));
+            |kind: &'static Kind, outputs: u64| of_kinds.entry(kind.name).or_insert((kind, outputs)).1 &= outputs;
+        for (index, element) in self.model.elements.values().enumerate() {
+            for plan in self.plans_of(index) {
+                note(plan.kind, self.outputs_of(index, plan.kind, plan.outputs));
+            }
+            if let Some(kind) = sliding_kind(element.of, self.dimension) {
+                note(kind, self.outputs_of(index, kind, u64::MAX));
+            }
         }
-        let others = self.model.elements.values().filter_map(|element| self.sliding_kind(element));
-        let sliders = self.sliders.first().and_then(|_| Kind::find("slider", self.dimension));
-        others.chain(sliders).for_each(|kind| note(kind, u64::MAX));
+        if let Some(kind) = self.sliders.first().and_then(|_| Kind::find("slider", self.dimension)) {
+            note(kind, u64::MAX);
+        }
         let mut outputs = Vec::new();
-        for (output, _) in of_kinds.into_iter().flat_map(|(kind, mask)| wanted(kind, mask)) {
+        for (output, _) in of_kinds.into_values().flat_map(|(kind, mask)| wanted(kind, mask)) {
             if !outputs.contains(&output) {
                 outputs.push(output);
             }
@@ -362,22 +388,29 @@ impl<'m> Draft<'m> {
         outputs
     }
 
-    fn sliding_kind(&self, element: &Element) -> Option<&'static Kind> {
-        let name = match element.of {
-            Type::Linear => "isl21a",
-            Type::Parabolic => "isl22a",
-            Type::Connector | Type::PlaneConnector => return None,
-        };
-        Kind::find(name, self.dimension)
+    /// What a connector is; nothing if it is left out.
+    fn plans_of(&self, index: usize) -> &[Planned] {
+        self.sections[index].map(|section| &*self.plans[section as usize]).unwrap_or_default()
+    }
+
+    /// Its own outputs, if an element of a kind has others than the scene gives it.
+    fn write_outputs(&self, text: &mut Text, (index, kind, mask): (usize, &'static Kind, u64), outputs: &[&str]) {
+        let own = || wanted(kind, self.outputs_of(index, kind, mask)).map(|(output, _)| output);
+        let given = wanted(kind, u64::MAX).map(|(output, _)| output).filter(|output| outputs.contains(output));
+        if !given.eq(own()) {
+            text.json.push_str(", ");
+            text.key(keys::ELEMENT[2]);
+            text.list(ARRAY, false, own(), Text::string);
+        }
     }
 
     fn write_elements(&self, text: &mut Text, outputs: &[&str]) {
         let of_deck = self.model.elements.iter().enumerate().flat_map(|(index, (&number, element))| {
-            let plans = self.sections[index].map(|section| &*self.plans[section as usize]).unwrap_or_default();
-            let sliding = self.lines[index].and_then(|line| Some((self.sliding_kind(element)?, line)));
+            let plans = self.plans_of(index);
+            let sliding = self.lines[index].and_then(|line| Some((sliding_kind(element.of, self.dimension)?, line)));
             let connectors =
                 plans.iter().map(move |plan| Entry::Connector(index, number, element, plan, plans.len() > 1));
-            connectors.chain(sliding.map(|(kind, line)| Entry::Sliding(number, element, kind, line)))
+            connectors.chain(sliding.map(|(kind, line)| Entry::Sliding(index, number, element, kind, line)))
         });
         let sliders = (0..self.sliders.len()).map(Entry::Slider);
         text.list(OBJECT, true, of_deck.chain(sliders), |text, entry| self.write_element(text, &entry, outputs));
@@ -405,15 +438,9 @@ impl<'m> Draft<'m> {
                     text.key(key);
                     text.number(number);
                 }
-                let has = wanted(plan.kind, u64::MAX).filter(|(output, _)| outputs.contains(output));
-                let own: Vec<_> = wanted(plan.kind, plan.outputs).map(|(output, _)| output).collect();
-                if !has.map(|(output, _)| output).eq(own.iter().copied()) {
-                    text.json.push_str(", ");
-                    text.key(keys::ELEMENT[2]);
-                    text.list(ARRAY, false, own, Text::string);
-                }
+                self.write_outputs(text, (index, plan.kind, plan.outputs), outputs);
             }
-            Entry::Sliding(number, element, kind, line) => {
+            Entry::Sliding(index, number, element, kind, line) => {
                 text.from(element.place).key(&self.model.shown(number));
                 text.json.push_str("{ ");
                 text.key(keys::ELEMENT[0]);
@@ -422,6 +449,7 @@ impl<'m> Draft<'m> {
                 text.json.push_str(", ");
                 text.key(keys::SLIDING_ELEMENT[3]);
                 text.string(&self.model.lines[line as usize].elements.0.shown);
+                self.write_outputs(text, (index, kind, u64::MAX), outputs);
             }
             Entry::Slider(index) => {
                 let ([first, last, node], place) = self.sliders[index];
@@ -438,10 +466,20 @@ impl<'m> Draft<'m> {
     }
 }
 
+/// The kind of an element that slides on a line.
+fn sliding_kind(of: Type, dimension: Dimension) -> Option<&'static Kind> {
+    match of {
+        Type::Linear => Kind::find("isl21a", dimension),
+        Type::Parabolic => Kind::find("isl22a", dimension),
+        Type::Connector | Type::PlaneConnector => None,
+    }
+}
+
 /// An element of the scene.
 enum Entry<'m> {
     /// The index and the number, and whether it is one of several.
     Connector(usize, Numbered, &'m Element, &'m Planned, bool),
-    Sliding(Numbered, &'m Element, &'static Kind, u32),
+    /// The index, the number, and the slide line.
+    Sliding(usize, Numbered, &'m Element, &'static Kind, u32),
     Slider(usize),
 }

@@ -7,10 +7,10 @@ use std::fmt;
 pub struct TableFault {
     /// The name of the table.
     pub table: String,
-    /// Line in the table, from 1; 0 for the whole table.
+    /// Line in the table, from 1; 0 if it cannot be read at all.
     pub line: u64,
-    /// The number of the column, from 1, and its name; `None` for the whole line.
-    pub column: Option<(usize, String)>,
+    /// The number of the column, from 1, and its name if it has one.
+    pub column: (usize, String),
     /// What was found there.
     pub found: String,
     /// What is allowed there.
@@ -20,11 +20,11 @@ pub struct TableFault {
 impl TableFault {
     /// The place and what was found there: the first part of the message.
     pub(in crate::scene) fn found(&self) -> String {
-        let Self { table, line, column, found, .. } = self;
-        match (line, column) {
+        let Self { table, line, column: (column, name), found, .. } = self;
+        match (line, &**name) {
             (0, _) => format!("{table}: {found}"),
-            (line, None) => format!("{table}, line {line}: {found}"),
-            (line, Some((column, name))) => format!("{table}, line {line}, column {column} ({name:?}): {found}"),
+            (line, "") => format!("{table}, line {line}, column {column}: {found}"),
+            (line, name) => format!("{table}, line {line}, column {column} ({name:?}): {found}"),
         }
     }
 }

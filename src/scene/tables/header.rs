@@ -73,7 +73,7 @@ impl Header {
         let names: Vec<_> = row.cells().map(|name| String::from_utf8_lossy(name).into_owned()).collect();
         let plain: Vec<String> = names.iter().map(|name| plain(name)).collect();
         let fault = |column: Option<usize>, found: String, allowed: String| {
-            let column = column.map(|column| (column + 1, names[column].clone()));
+            let column = column.map_or((1, String::new()), |column| (column + 1, names[column].clone()));
             TableFault { table: table.into(), line: row.number, column, found, allowed }
         };
         let place = |known: &[&str]| -> Result<Option<usize>, TableFault> {

@@ -65,8 +65,9 @@ impl HistoryTables {
             if let Some(first) = &first {
                 if self.times.get(states) != Some(&frame.time) {
                     let expected = self.times.get(states).map_or("no further state".into(), |time| format!("{time:?}"));
+                    let (line, time) = (rows.line(), rows.header.time);
                     let found = format!("the time {:?} of state {states}", frame.time);
-                    return Err(whole(table, found, format!("{expected}, as in {first}")));
+                    return Err(rows.fault_at(line, time, found, format!("{expected}, as in {first}")));
                 }
             } else {
                 self.times.push(frame.time);
@@ -77,16 +78,15 @@ impl HistoryTables {
         let strange = rows.strange.take();
         if states < self.times.len() {
             let allowed = format!("{}, as in {}", self.times.len(), first.unwrap_or_default());
-            return Err(whole(table, format!("{states} states"), allowed));
+            let (line, time) = (rows.line(), rows.header.time);
+            return Err(rows.fault_at(line, time, format!("the last of {states} states"), allowed));
         }
         let what = if subject == Subject::Loads { "element" } else { "node" };
         if !rows.has_any() {
-            let named = strange.map_or_else(String::new, |(_, name, line)| format!(", but {name:?} in line {line}"));
-            return Err(whole(
-                table,
-                format!("no {what} of the scene{named}"),
-                format!("rows about each {what} that changes"),
-            ));
+            let (found, line) = strange.map_or(("no row".into(), 1), |(_, name, line)| {
+                (format!("{name:?}, and no {what} of the scene"), line)
+            });
+            return Err(rows.fault_at(line, rows.header.name, found, format!("rows about each {what} that changes")));
         }
         if let Some((count, name, line)) = strange {
             self.warnings.push(format!(
@@ -99,11 +99,6 @@ impl HistoryTables {
         }
         Ok(rows.sum())
     }
-}
-
-/// A fault of a whole table.
-fn whole(table: &Table, found: String, allowed: String) -> TableFault {
-    TableFault { table: table.name().into(), line: 0, column: None, found, allowed }
 }
 
 /// Whether each node or element is changed by some state, for every quantity.

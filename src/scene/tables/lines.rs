@@ -110,7 +110,7 @@ impl<'s> Lines<'s> {
                     return Err(TableFault {
                         table: self.table.name().into(),
                         line: self.number,
-                        column: None,
+                        column: (self.count + 1, String::new()),
                         found: "a quotation mark that does not end in its line".into(),
                         allowed: "cells of one line, in two quotation marks or in none".into(),
                     });
@@ -126,7 +126,7 @@ fn unreadable(table: &Table, line: u64, error: &std::io::Error) -> TableFault {
     TableFault {
         table: table.name().into(),
         line,
-        column: None,
+        column: (1, String::new()),
         found: error.to_string(),
         allowed: "a table that can be read".into(),
     }

@@ -7,6 +7,7 @@ use crate::formula::quantity::Domain;
 use crate::scene::kind::Dimension;
 use crate::scene::model::{Frame, Members, Named, Scene, Unsorted};
 use crate::scene::table::{Subject, Table};
+use std::collections::HashMap;
 use std::fmt;
 
 /// A table being read.
@@ -25,9 +26,13 @@ pub(in crate::scene) struct Rows<'s> {
     /// The state that last named each node or element, from 1; 0 if none did.
     named: Vec<u32>,
     states: u32,
+    /// The line with which the last state began.
+    begun: u64,
     /// The place of the next name, since names mostly come in order; and memory for a name.
     next: usize,
     name: String,
+    /// By their names in upper case, once one is sought: nodes or elements; `None` if several have the name.
+    in_upper_case: Option<HashMap<String, Option<Members>>>,
     /// The number of rows about what is not in the scene, and the first of them.
     pub(super) strange: Option<(usize, String, u64)>,
 }
@@ -45,8 +50,8 @@ impl<'s> Rows<'s> {
         if lines.len() == 0 {
             return Err(TableFault {
                 table: table.name().into(),
-                line: 0,
-                column: None,
+                line: 1,
+                column: (1, String::new()),
                 found: "no row".into(),
                 allowed: "a first row with the names of the columns".into(),
             });
@@ -65,8 +70,10 @@ impl<'s> Rows<'s> {
             time_text: Vec::new(),
             named: vec![0; things],
             states: 0,
+            begun: 0,
             next: 0,
             name: String::new(),
+            in_upper_case: None,
             strange: None,
         })
     }
@@ -92,10 +99,25 @@ impl<'s> Rows<'s> {
     }
 
     /// A fault in a column of the current row.
-    pub(super) fn fault(&self, column: usize, found: impl Into<String>, allowed: impl Into<String>) -> TableFault {
-        let line = self.lines.number;
-        let column = Some((column + 1, self.header.names[column].clone()));
+    fn fault(&self, column: usize, found: impl Into<String>, allowed: impl Into<String>) -> TableFault {
+        self.fault_at(self.lines.number, column, found, allowed)
+    }
+
+    /// A fault in a column of a line.
+    pub(super) fn fault_at(
+        &self,
+        line: u64,
+        column: usize,
+        found: impl Into<String>,
+        allowed: impl Into<String>,
+    ) -> TableFault {
+        let column = (column + 1, self.header.names[column].clone());
         TableFault { table: self.table.name().into(), line, column, found: found.into(), allowed: allowed.into() }
+    }
+
+    /// The line with which the last state began; the end of the table if there are no more.
+    pub(super) fn line(&self) -> u64 {
+        self.begun
     }
 
     /// The next state, if there is one. It ends where the time changes, or where the first name of the state comes again: two
@@ -136,8 +158,9 @@ impl<'s> Rows<'s> {
         let (found, expected) = (self.lines.len(), self.header.names.len());
         if found != expected {
             let (table, line) = (self.table.name().into(), self.lines.number);
+            let column = (found.min(expected) + 1, String::new());
             let (found, allowed) = (format!("{found} cells"), format!("{expected}, as in the first row"));
-            return Err(TableFault { table, line, column: None, found, allowed });
+            return Err(TableFault { table, line, column, found, allowed });
         }
         if self.lines.cell(self.header.time) != self.time_text {
             self.time = self.number(self.header.time, Domain::Real)?;
@@ -155,7 +178,7 @@ impl<'s> Rows<'s> {
             );
             return Err(self.fault(self.header.time, format!("{:?} after {last:?}", self.time), allowed));
         }
-        self.last = Some(self.time);
+        (self.last, self.begun) = (Some(self.time), self.lines.number);
         Ok(())
     }
 
@@ -171,6 +194,12 @@ impl<'s> Rows<'s> {
             found = self.scene.look_up(self.subject, &mut self.next, &self.name);
         }
         let found = found.or_else(|| self.scene.look_up(self.subject, &mut self.next, label));
+        // Some postprocessors write names in upper case.
+        let found = found.or_else(|| {
+            let written = if instance.is_some() { &*self.name } else { label };
+            let in_upper_case = self.in_upper_case.get_or_insert_with(|| self.scene.in_upper_case(self.subject));
+            *in_upper_case.get(&written.to_uppercase())?
+        });
         if found.is_none() {
             let line = self.lines.number;
             self.strange.get_or_insert_with(|| (0, label.into(), line)).0 += 1;
@@ -263,6 +292,18 @@ impl Scene {
             known.members_near(next, name).or_else(|| known.members(name))
         }
         if subject == Subject::Loads { among(&self.elements, next, name) } else { among(&self.nodes, next, name) }
+    }
+
+    /// Nodes or elements by their names in upper case.
+    fn in_upper_case(&self, subject: Subject) -> HashMap<String, Option<Members>> {
+        fn all<T>(known: &Named<T>) -> HashMap<String, Option<Members>> {
+            let mut all = HashMap::new();
+            for (name, members, _) in known.iter() {
+                all.entry(name.to_uppercase()).and_modify(|of| *of = None).or_insert(Some(members));
+            }
+            all
+        }
+        if subject == Subject::Loads { all(&self.elements) } else { all(&self.nodes) }
     }
 }
 

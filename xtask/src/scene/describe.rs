@@ -1,21 +1,21 @@
 //! What is in a scene: its elements at the start, as text, and as a page with a drawing of each.
 
-use super::load::{Loaded, shown};
+use super::load::{Loaded, shown, warn};
 use super::out::Target;
 use super::show::digits;
-use crate::console::{bold, count, print, say, yellow};
+use crate::console::{bold, count, print};
 use crate::figures::sketch::{Ink, Point, Sketch, View};
-use crate::{Outcome, files};
+use crate::files;
 use jointproof::scene::{Dimension, Kind, Scene, Start, StartNode};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
-use std::process::ExitCode;
 
 /// The number of drawings of a page.
 const DRAWN: usize = 200;
 
-/// Describes scenes; a page only one of them.
-pub(super) fn run(target: Option<&Target>, scenes: &[(&PathBuf, Loaded)]) -> Outcome {
+/// Describes scenes, a page only one of them; returns how much was ambiguous.
+pub(super) fn run(target: Option<&Target>, scenes: &[(&PathBuf, Loaded)]) -> anyhow::Result<usize> {
+    let mut warned = 0;
     for (path, Loaded { scene, left_out, .. }) in scenes {
         let start = scene.start()?;
         match target {
@@ -24,11 +24,9 @@ pub(super) fn run(target: Option<&Target>, scenes: &[(&PathBuf, Loaded)]) -> Out
                 files::write(target, &page(path, scene, &start)?)?;
             }
         }
-        for warning in left_out.iter().chain(&scene.warnings()) {
-            say(&format!("{} {}: {warning}", yellow("warning:"), shown(path)));
-        }
+        warned += warn(path, &[left_out.clone(), scene.warnings()].concat());
     }
-    Ok(ExitCode::SUCCESS)
+    Ok(warned)
 }
 
 fn vector(v: &[f64]) -> String {

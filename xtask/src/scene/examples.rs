@@ -4,7 +4,7 @@ use super::show::{self, Format};
 use super::{describe, load, plot};
 use crate::console::count;
 use anyhow::Context;
-use jointproof::scene::{Deck, Plan, PlanLine, Results, Scene, Series, schema};
+use jointproof::scene::{Deck, Plan, PlanLine, Results, Scene, Series, Table as Rows, Tables, schema};
 use kit::{Beside, Project, Table};
 use std::path::{Path, PathBuf};
 
@@ -33,21 +33,25 @@ fn scenes(project: &Project) -> anyhow::Result<Vec<(String, Scene)>> {
         let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
         let stem = name.strip_suffix(".json").filter(|_| !name.ends_with(RESULT) && name != "schema.json");
         if let Some(stem) = stem {
-            let loaded = load::read(&path)?.map_err(anyhow::Error::msg)?;
+            let loaded = load::read(&path, false)?.map_err(anyhow::Error::msg)?;
             scenes.push((stem.to_owned(), loaded.scene));
         }
     }
     Ok(scenes)
 }
 
-/// The decks of `golden/decks`, by name.
+/// The decks of `golden/decks`, by name, with the histories beside them.
 fn decks(project: &Project) -> anyhow::Result<Vec<(String, Deck, Scene)>> {
     let folder = project.golden().join("decks");
     let is_deck = |path: &PathBuf| path.extension().is_some_and(|extension| extension == "inp");
     let read = |path: PathBuf| {
         let deck = Deck::parse_in(&folder, std::fs::read(&path)?)?;
-        let scene = deck.scene()?;
-        Ok((load::stem(&path), deck, scene))
+        let (stem, scene) = (load::stem(&path), deck.scene()?);
+        let table = |ending: &str| Some(folder.join(format!("{stem}{ending}.csv"))).filter(|path| path.exists());
+        let [nodes, loads] = ["", "-loads"].map(|ending| table(ending).map(|path| Rows::file(&path)));
+        let tables = Tables { nodes, loads, pressures: None };
+        let scene = if tables.nodes.is_some() { scene.with_tables(tables)? } else { scene };
+        Ok((stem, deck, scene))
     };
     files(&folder)?.into_iter().filter(is_deck).map(read).collect()
 }

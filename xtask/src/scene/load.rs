@@ -1,6 +1,7 @@
 //! Scenes from files: JSON, or decks.
 
 use super::deck;
+use crate::console::{say, yellow};
 use anyhow::Context;
 use jointproof::scene::{Deck, Faults, Scene};
 use std::io::Read;
@@ -25,13 +26,13 @@ fn bytes(path: &Path) -> std::io::Result<Vec<u8>> {
 /// A scene that was read from a file.
 pub(super) struct Loaded {
     pub(super) scene: Scene,
-    /// If it was a deck: the scene as text, and what is left out of it though connectors depend on it.
+    /// If it was a deck: the scene as text, if that is wanted, and what is left out of it though connectors depend on it.
     pub(super) text: Option<String>,
     pub(super) left_out: Vec<String>,
 }
 
-/// The scene in a file, or its faults.
-pub(super) fn read(path: &Path) -> anyhow::Result<Result<Loaded, String>> {
+/// The scene in a file, or its faults; as text, too, if it is wanted and a deck.
+pub(super) fn read(path: &Path, wants_text: bool) -> anyhow::Result<Result<Loaded, String>> {
     let shown = shown(path);
     let report = |faults: Faults| {
         let lines = faults.list().iter().map(|fault| format!("{shown}: {fault}\n")).collect::<Vec<_>>().concat();
@@ -46,7 +47,7 @@ pub(super) fn read(path: &Path) -> anyhow::Result<Result<Loaded, String>> {
         let loaded = |(scene, deck): (Scene, Deck)| Loaded {
             scene,
             left_out: deck::left_out(&shown, &deck),
-            text: Some(deck.text().into()),
+            text: wants_text.then(|| deck.into_text()),
         };
         return Ok(read.map(loaded).map_err(report));
     }
@@ -56,6 +57,14 @@ pub(super) fn read(path: &Path) -> anyhow::Result<Result<Loaded, String>> {
     };
     let scene = Scene::parse_in(folder, &text).map_err(report);
     Ok(scene.map(|scene| Loaded { scene, text: None, left_out: Vec::new() }))
+}
+
+/// Says what is ambiguous about a scene; returns how much.
+pub(super) fn warn(path: &Path, warnings: &[String]) -> usize {
+    for warning in warnings {
+        say(&format!("{} {}: {warning}", yellow("warning:"), shown(path)));
+    }
+    warnings.len()
 }
 
 /// The name of a file without what follows the last period.

@@ -16,14 +16,14 @@ mod show;
 pub(crate) use examples::{figures, golden, outputs, plans};
 pub(crate) use kinds::{anchor, served};
 
-use crate::console::{print, progress, say, yellow};
+use crate::console::{print, progress, say};
 use crate::{Outcome, files};
 use anyhow::Context;
 use generate::Generated;
 use jointproof::Octuple;
 use jointproof::scene::{Columns, Plan, Results, Scene, Table, TableFault, Tables, Unwritten, Warning};
 use kit::{Project, Usage};
-use load::{Loaded, STANDARD_INPUT, read, shown, stem};
+use load::{Loaded, STANDARD_INPUT, read, shown, stem, warn};
 use out::{Form, Target};
 use std::fs::File;
 use std::io::Write;
@@ -87,7 +87,7 @@ pub(crate) struct Arguments {
     #[arg(long, conflicts_with_all = ["plan", "error", "plot", "write"])]
     describe: bool,
     /// Write the scene that was read from a deck to this file, and evaluate nothing
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["out", "plan", "plot"])]
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["out", "plan", "plot", "history", "loads", "pressures"])]
     write: Option<PathBuf>,
     /// Print a scene of N sliding connectors
     #[arg(long, value_name = "N", conflicts_with_all = ["files", "benchmark"])]
@@ -145,7 +145,7 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     }
     let mut scenes = Vec::new();
     for path in &arguments.files {
-        match read(path)? {
+        match read(path, arguments.write.is_some())? {
             Ok(Loaded { scene, text, left_out }) => match with_tables(arguments, scene) {
                 Ok(scene) => scenes.push((path, Loaded { scene, text, left_out })),
                 Err(fault) => say(&fault.to_string()),
@@ -160,18 +160,16 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
         let texts: Vec<_> = scenes.iter().filter_map(|(_, loaded)| loaded.text.as_deref()).collect();
         let [text] = texts[..] else { return Err(Usage("--write takes the scene of one deck".into()).into()) };
         files::write(target, text)?;
-        for line in &scenes[0].1.left_out {
-            say(&format!("{} {}: {line}", yellow("warning:"), shown(scenes[0].0)));
-        }
-        return Ok(ExitCode::SUCCESS);
+        let warned = warn(scenes[0].0, &scenes[0].1.left_out);
+        return Ok(arguments.exit(warned));
     }
     if arguments.describe {
-        return describe::run(arguments.out.as_ref(), &scenes);
+        return Ok(arguments.exit(describe::run(arguments.out.as_ref(), &scenes)?));
     }
     // Threads are started before the timing begins.
     rayon::broadcast(|_| ());
     let several = arguments.files.len() > 1;
-    let (mut documents, mut ambiguous) = (Vec::new(), 0);
+    let (mut documents, mut warned) = (Vec::new(), 0);
     for (path, Loaded { scene, left_out, .. }) in &scenes {
         if several && arguments.format == show::Format::Text {
             print(&format!("{}\n", shown(path)))?;
@@ -179,10 +177,7 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
         let (text, of_scene) = one(project, arguments, path, scene)?;
         let warnings = [left_out.clone(), of_scene].concat();
         scene.notes().iter().for_each(|note| say(&format!("note: {}: {note}", shown(path))));
-        for warning in &warnings {
-            say(&format!("{} {}: {warning}", yellow("warning:"), shown(path)));
-        }
-        ambiguous += warnings.len();
+        warned += warn(path, &warnings);
         match text {
             Some(document) if several && arguments.format == show::Format::Json => documents.push(document),
             Some(text) => print(&text)?,
@@ -195,7 +190,14 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     if let Some((path, peak)) = arguments.peak.as_ref().zip(benchmark::peak()) {
         files::write(path, &peak.to_string())?;
     }
-    Ok(if arguments.deny_warnings && ambiguous > 0 { ExitCode::FAILURE } else { ExitCode::SUCCESS })
+    Ok(arguments.exit(warned))
+}
+
+impl Arguments {
+    /// The exit code after so many warnings.
+    fn exit(&self, warned: usize) -> ExitCode {
+        if self.deny_warnings && warned > 0 { ExitCode::FAILURE } else { ExitCode::SUCCESS }
+    }
 }
 
 /// A reader that stops reading, such as `head`, is no error.
