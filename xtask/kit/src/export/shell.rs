@@ -147,7 +147,7 @@ fn module(element: &dyn AnyElement, forms: &[Recorded]) -> String {
     declarations.extend(places.declarations);
     let call = if with_friction.is_some() {
         declarations.push("logical :: rubs".into());
-        format!("rubs = props({stick}) > 0\nif (rubs) then\n    {rubbing}\nelse\n    {smooth}\nend if")
+        format!("rubs = .not. abs(props({stick})) <= 0\nif (rubs) then\n    {rubbing}\nelse\n    {smooth}\nend if")
     } else {
         smooth
     };
