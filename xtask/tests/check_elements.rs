@@ -135,8 +135,8 @@ fn exported_elements_compile_without_a_warning() {
     }
     let shells = elements.iter().map(|element| format!("uel_{element}")).chain(["fric".into(), "mpc".into()]);
     for shell in shells {
-        for file in [format!("{shell}.f90"), format!("{shell}.f")] {
-            compile(&bench, &[&STRICT[..], &[&file]].concat());
+        for (form, file) in [("-ffree-form", format!("{shell}.f90")), ("-ffixed-form", format!("{shell}.f"))] {
+            compile(&bench, &[&STRICT[..], &[form, &file]].concat());
         }
     }
 }
