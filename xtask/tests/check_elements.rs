@@ -129,11 +129,12 @@ fn exported_elements_compile_without_a_warning() {
         export(&["uel", "--element", element]);
         export(&["uel", "--element", element, "--fixed"]);
     }
-    for shell in ["fric", "mpc"] {
+    for shell in ["fric", "mpc", "umpc-user"] {
         export(&[shell]);
         export(&[shell, "--fixed"]);
     }
-    let shells = elements.iter().map(|element| format!("uel_{element}")).chain(["fric".into(), "mpc".into()]);
+    let by_hand = ["fric", "mpc", "umpc_user"].map(str::to_owned);
+    let shells = elements.iter().map(|element| format!("uel_{element}")).chain(by_hand);
     for shell in shells {
         for (form, file) in [("-ffree-form", format!("{shell}.f90")), ("-ffixed-form", format!("{shell}.f"))] {
             compile(&bench, &[&STRICT[..], &[form, &file]].concat());

@@ -145,6 +145,7 @@ fn every_file_is_as_it_was_accepted() {
         ("uels in fixed form", vec!["--shell", "uel", "--element", "universal", "--element", "slider_2d", "--fixed"]),
         ("fric", vec!["--shell", "fric"]),
         ("mpc", vec!["--shell", "mpc", "--fixed"]),
+        ("umpc_user", vec!["--shell", "umpc-user"]),
     ];
     let mut texts = Vec::new();
     for (name, wanted) in of.into_iter().chain(shells) {

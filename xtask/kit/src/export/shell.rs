@@ -1,6 +1,6 @@
 //! `export --shell`: a user routine for a finite-element program in one file, with the exported functions that it calls.
 //!
-//! FRIC and MPC are written by hand around formulas. An element is `uel.f90` around its recorded functions: from its fields follow
+//! FRIC, MPC and `umpc_user` are written by hand around formulas. An element is `uel.f90` around its recorded functions: from its fields follow
 //! the layout of its properties, its state and its multipliers, and the calls.
 
 mod fixed;
@@ -29,6 +29,8 @@ pub(super) enum Shell {
     Fric,
     /// A multi-point constraint of Abaqus: SLIDER
     Mpc,
+    /// A user MPC of CalculiX: SLIDER
+    UmpcUser,
 }
 
 /// Compilers take the rest of the file as free form, whatever its name.
@@ -57,6 +59,7 @@ pub(super) fn write(
         Shell::Uel => uel(project, elements)?,
         Shell::Fric => by_hand(project, "fric", include_str!("shell/fric.f90"))?,
         Shell::Mpc => by_hand(project, "mpc", include_str!("shell/mpc.f90"))?,
+        Shell::UmpcUser => by_hand(project, "umpc_user", include_str!("shell/umpc_user.f90"))?,
     };
     // No module of another file has the same name.
     let runtime = format!("jp_runtime_{name}");
