@@ -84,10 +84,11 @@ fn by_hand(project: &Project, name: &str, text: &str) -> anyhow::Result<Routine>
     let (recorded, _) = record(&formulas, Some(project));
     let uses: Vec<_> = recorded.iter().map(|one| format!("    use jp_{}\n", one.subject.stem())).collect();
     let (head, body) = text.split_once("\nsubroutine ").context("a routine is a routine")?;
+    let body = filled(body, &[("axes", include_str!("shell/axes.f90"))]).replace("{uses}", &uses.concat());
     Ok(Routine {
         name: name.to_owned(),
         head: format!("{head}\n"),
-        text: format!("subroutine {}", body.replace("{uses}", &uses.concat())),
+        text: format!("subroutine {body}"),
         modules: recorded.iter().flat_map(modules).collect(),
     })
 }

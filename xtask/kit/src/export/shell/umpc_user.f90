@@ -21,22 +21,15 @@ subroutine umpc_user(x, u, f, a, jdof, n, force, iit, idiscon)
     real(dp), intent(in) :: x(3, *), u(3, *), force
     real(dp), intent(inout) :: f, a(*)
     real(dp) :: x1(3), xn(3), d(3), xm, found(2), slope(2, 7)
-    integer :: dim, axes(3), more, eliminated, kept, row, code, k
+    integer :: dim, axes(3), more, less, eliminated, kept, row, code, k
 
     dim = n / 2 - 1
     if (n /= 2 * dim + 2 .or. (dim /= 2 .and. dim /= 3)) error stop 'umpc_user: 8 nodes in space, 6 in the plane'
     x1 = x(:, 3) + u(:, 3)
     xn = x(:, 3 + dim) + u(:, 3 + dim)
     ! The axes as the formulas choose them: those that are eliminated, then the one that is kept.
-    d = abs(xn - x1)
-    d = scale(d, -exponent(maxval(d(:dim))))
-    if (dim == 2) then
-        axes = merge([2, 1, 0], [1, 2, 0], d(1) >= d(2))
-    else
-        more = merge(3, 2, d(3) >= d(2))
-        axes = [5 - more, more, 1]
-        if (d(more) > 0 .and. d(more)**2 + d(5 - more)**2 >= d(more) * d(1)) axes = [5 - more, 1, more]
-    end if
+    {axes}
+    if (dim == 2) axes(:2) = merge([2, 1], [1, 2], d(1) >= d(2))
     ! At first the last axis is kept. Of both MPCs the one that eliminates what is to be kept goes to what was kept.
     eliminated = jdof(1)
     kept = merge(jdof(2), dim, jdof(2) > 0)
