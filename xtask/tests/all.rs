@@ -22,3 +22,4 @@ mod scene;
 mod schema;
 mod shells;
 mod tidy;
+mod user_mpc;

@@ -1,6 +1,6 @@
 //! `cargo xtask check --element`: exported elements are right, and mistakes in the routine around them are found.
 
-use crate::common::{Bench, Ran};
+use crate::common::{Bench, Ran, all_mistakes};
 use crate::port::Lang;
 use jointproof::catalog::{AnyElement, ELEMENTS};
 use jointproof::toolkit::graph::Extremes;
@@ -48,7 +48,18 @@ impl Exported {
         let files = ["-o", "port", "routine.f90", "modules.o", "uel_driver.o"];
         compile(&self.bench, &[&FLAGS[..], &files].concat());
         let program = self.bench.path("port");
-        self.bench.run(&["check", "--element", self.element, "--", program.to_str().unwrap()])
+        self.bench.run(&["check", "--element", self.element, "--strict", "--", program.to_str().unwrap()])
+    }
+
+    /// The statements that say what the routine answers, each with its sign turned.
+    fn turned(&self) -> Vec<[String; 2]> {
+        let turned = |line: &str| {
+            let (left, right) = line.split_once(" = ")?;
+            let is_answer = ["rhs(", "amatrx(", "svars("].iter().any(|name| left.contains(name)) && right != "0";
+            let right = right.strip_prefix('-').map_or_else(|| format!("-{right}"), str::to_owned);
+            is_answer.then(|| [line.to_owned(), format!("{left} = {right}")])
+        };
+        self.routine.lines().filter_map(turned).collect()
     }
 }
 
@@ -58,17 +69,47 @@ fn elements() -> impl Iterator<Item = &'static str> {
     ELEMENTS.iter().filter(is_recorded).map(|element| element.spec().id)
 }
 
+/// Elements without and with friction, with and without multipliers; the others where all mistakes are wanted.
+const SOME: [&str; 3] = ["slot_2d", "hinge", "isl21a_exponential"];
+/// How many single numbers of a matrix are given the other sign.
+const NUMBERS: usize = 6;
+
+/// Strictly, and not with a sign turned: of all numbers of a kind, and of single numbers of the stiffness.
 #[test]
-fn exported_elements_are_those_of_the_catalog_and_one_with_a_turned_sign_is_not() {
+fn exported_elements_are_those_of_the_catalog_and_none_with_a_turned_sign_is() {
     if !Lang::Fortran.is_here() {
         return;
     }
-    for element in elements() {
+    let mut planted = 0;
+    for element in elements().filter(|element| all_mistakes() || SOME.contains(element)) {
         let exported = Exported::new(element);
-        exported.checked(["", ""]).exits(0).prints("those of the element at");
-        exported.checked(["= -stiffness", "= stiffness"]).exits(1).prints("AMATRX(");
-        exported.checked(["1) = forces", "1) = -forces"]).exits(1).prints("RHS(");
+        exported.checked(["", ""]).exits(0).prints("those of the element at").prints("within η");
+        for [from, to] in exported.turned() {
+            exported.checked([&from, &to]).exits(1).prints("it is not the element at");
+            planted += 1;
+        }
+        let file = ELEMENTS.iter().find(|one| one.spec().id == element).unwrap().golden();
+        let matrices: Vec<_> = file.cases.iter().filter_map(|case| Some(&case.out.as_ref()?.stiffness)).collect();
+        let size = matrices[0].len();
+        // Not those that are always 0, nor those that are small beside others of their row.
+        let is_large = |row: usize, column: usize| {
+            matrices.iter().any(|matrix| {
+                let most = matrix[row].iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+                matrix[row][column].abs() > 1e-3 * most
+            })
+        };
+        let places = (0..size * size).map(|k| (k / size, k % size)).filter(|&(row, column)| is_large(row, column));
+        let places: Vec<_> = places.collect();
+        for (row, column) in
+            places.iter().step_by(places.len().div_ceil(NUMBERS)).map(|(row, column)| (row + 1, column + 1))
+        {
+            let matrix = "amatrx(:motions, :motions) = -stiffness";
+            let turned = format!("stiffness({row}, {column}) = -stiffness({row}, {column})\n{matrix}");
+            exported.checked([matrix, &turned]).exits(1).prints(&format!("AMATRX({row},{column}) is "));
+            planted += 1;
+        }
     }
+    println!("{planted} signs turned, each found");
 }
 
 /// In both forms, in words of the standard, where Abaqus's own file has others.
@@ -88,14 +129,15 @@ fn exported_elements_compile_without_a_warning() {
         export(&["uel", "--element", element]);
         export(&["uel", "--element", element, "--fixed"]);
     }
-    for shell in ["fric", "mpc"] {
+    for shell in ["fric", "mpc", "umpc-user"] {
         export(&[shell]);
         export(&[shell, "--fixed"]);
     }
-    let shells = elements.iter().map(|element| format!("uel_{element}")).chain(["fric".into(), "mpc".into()]);
+    let by_hand = ["fric", "mpc", "umpc_user"].map(str::to_owned);
+    let shells = elements.iter().map(|element| format!("uel_{element}")).chain(by_hand);
     for shell in shells {
-        for file in [format!("{shell}.f90"), format!("{shell}.f")] {
-            compile(&bench, &[&STRICT[..], &[&file]].concat());
+        for (form, file) in [("-ffree-form", format!("{shell}.f90")), ("-ffixed-form", format!("{shell}.f"))] {
+            compile(&bench, &[&STRICT[..], &[form, &file]].concat());
         }
     }
 }
@@ -160,7 +202,8 @@ const MISTAKES: &[([&str; 2], &str)] = &[
     (["if (lflags(3) == 5) return", ""], ""),
     (["if (lflags(3) /= 2) then", "if (lflags(3) == 1) then"], "RHS for LFLAGS(3) = 5 is not that for LFLAGS(3) = 1"),
     (["if (lflags(3) == 5) return", "if (lflags(3) /= 1) return"], "AMATRX for LFLAGS(3) = 2 is not that"),
-    (["rubs = props", "rubs = .false. .and. props"], "RHS("),
+    (["rubs = .not.", "rubs = .false. .and. .not."], "RHS("),
+    (["rubs = .not. abs(props(22)) <= 0", "rubs = props(22) > 0"], "not refused, though it is not allowed"),
     (["(sin(angle / 2) / angle)**2", "(sin(angle) / angle)**2"], "RHS("),
     (["is_well = code == 0", "is_well = code == 0; pnewdt = 0.5_dp"], "refused by PNEWDT"),
 ];

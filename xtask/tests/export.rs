@@ -4,6 +4,7 @@
 #[cfg(unix)]
 use crate::common::reference;
 use crate::common::{Bench, assert_accepted, is_here};
+use std::process::Command;
 
 #[test]
 fn what_is_exported_has_every_bit() {
@@ -21,6 +22,41 @@ fn what_is_exported_has_every_bit() {
         let said = ran.stdout.lines().find(|line| line.starts_with(&format!("ok  {program}"))).unwrap();
         let numbers: u64 = said.split(' ').find_map(|word| word.parse().ok()).unwrap();
         assert!(numbers > 1000, "{said}");
+    }
+}
+
+/// Newton's method in C squares its error with the exported element, and does not with a sign turned in what it assembles.
+#[test]
+fn a_double_cardan_shaft_in_c_converges_quadratically() {
+    if !["cc", "make"].into_iter().all(is_here) {
+        return;
+    }
+    let bench = Bench::new();
+    let out = bench.path("exported");
+    bench.run(&["export", "--lang", "c", "--element", "ujoint", "--out", out.to_str().unwrap()]).exits(0);
+    let example = out.join("double_cardan.c");
+    let text = std::fs::read_to_string(&example).unwrap();
+    assert!(text.lines().count() <= 150 && text.lines().all(|line| line.len() <= 100));
+    let runs = |text: &str| {
+        std::fs::write(&example, text).unwrap();
+        let made = Command::new("make").args(["--quiet", "double_cardan"]).current_dir(&out).output().unwrap();
+        assert!(made.status.success(), "{}", String::from_utf8_lossy(&made.stderr));
+        Command::new(out.join("double_cardan")).output().unwrap()
+    };
+    let ran = runs(&text);
+    let lines = String::from_utf8_lossy(&ran.stdout).lines().count();
+    assert!(ran.status.success() && lines == 25, "{ran:?}");
+    for (from, to) in [
+        ("+= motion * stiffness", "-= motion * stiffness"),
+        ("+= motion * by_multipliers", "-= motion * by_multipliers"),
+        ("+= rows[", "-= rows["),
+        ("-= motion * forces", "+= motion * forces"),
+        ("= -residuals", "= residuals"),
+        ("+= twice[i] * forces", "-= twice[i] * forces"),
+    ] {
+        assert!(text.contains(from), "{from}");
+        let ran = runs(&text.replace(from, to));
+        assert!(!ran.status.success(), "{from}: {ran:?}");
     }
 }
 
@@ -110,6 +146,7 @@ fn every_file_is_as_it_was_accepted() {
         ("uels in fixed form", vec!["--shell", "uel", "--element", "universal", "--element", "slider_2d", "--fixed"]),
         ("fric", vec!["--shell", "fric"]),
         ("mpc", vec!["--shell", "mpc", "--fixed"]),
+        ("umpc_user", vec!["--shell", "umpc-user"]),
     ];
     let mut texts = Vec::new();
     for (name, wanted) in of.into_iter().chain(shells) {

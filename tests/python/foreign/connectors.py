@@ -141,11 +141,6 @@ class Connector:
             taken[block.rows] = list(dict.fromkeys(taken.get(block.rows, []) + mine))
         return taken
 
-    def closed_rows(self) -> dict[str, list[str]]:
-        """What is not zero where both nodes are at one place: the spin of a would turn a vector without length."""
-        turned = ("g1_ta", "g2_ta", "g3_ta")
-        return {id: [name for name in names if name not in turned] for id, names in self.rows().items()}
-
     def forces(self) -> dict[str, None]:
         return dict.fromkeys(block.forces for block, _ in self.blocks)
 

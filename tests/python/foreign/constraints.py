@@ -109,8 +109,7 @@ class Same:
 
     def comparisons(self) -> list[Comparison]:
         connector = self.connector
-        seen = connector.closed_rows() if self.rows_at is closed_pairs else connector.rows()
-        rows = seen | {"element.arm": ["m_node"]}
+        rows = connector.rows() | {"element.arm": ["m_node"]}
         return [
             Comparison(
                 connector.name, "residuals of a constraint", {connector.residuals: self.varied}, self.residuals, connector.count

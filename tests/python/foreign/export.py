@@ -15,6 +15,8 @@ import numpy as np
 
 FOLDER = Path(os.environ.get("JOINTPROOF_EXPORT", Path(__file__).parents[3] / "target/export/numpy")).resolve()
 sys.path.insert(0, str(FOLDER))
+#: What rounding leaves where numbers of order 1 cancel.
+ZERO = 1e-12
 
 
 def module(id: str):
@@ -40,7 +42,7 @@ class Export:
     """Values of formulas and how they change, by the names of their inputs. What is asked for too much is ignored.
 
     `planted` is an error that a comparison must find: a formula, one of its outputs, and the component that gets a
-    wrong sign. One that is zero, and so has none, gets a one.
+    wrong sign. One that is zero but for rounding, and so has none, gets a one.
     """
 
     planted: tuple[str, str, int] | None = None
@@ -54,7 +56,7 @@ class Export:
             if name == output:
                 break
             place += length
-        numbers[place] = -numbers[place] or 1.0
+        numbers[place] = -numbers[place] if abs(numbers[place]) > ZERO else 1.0
         return numbers
 
     def value(self, id: str, **given) -> dict[str, np.ndarray]:

@@ -40,7 +40,7 @@ use std::time::Duration;
   {command} check --derivative element.toml --out around    any UEL or FRIC
   {command} check --derivative element.toml -- ./a.out      AMATRX against RHS
   {command} check --element translator --abi uel --out around
-  {command} check --element translator -- ./a.out
+  {command} check --element translator --strict -- ./a.out
   {command} check --formula {formula} --point '{point}' -- ./mine")]
 #[expect(clippy::struct_excessive_bools, reason = "each is a switch of the command line")]
 pub(crate) struct Arguments {
@@ -164,7 +164,7 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
         return match arguments.abi {
             Some(Abi::Uel) => element::driver(project, id, arguments.out.as_deref()),
             Some(_) => Err(Usage("--element: elements are routines UEL: --abi uel".into()).into()),
-            None => element::run(project, id, &arguments.program, limit),
+            None => element::run(project, id, &arguments.program, limit, arguments.strict),
         };
     }
     if let Some(file) = &arguments.derivative {

@@ -1,4 +1,5 @@
-//! `check --element`: a UEL against an element of the catalog, at its golden cases and at points beside them.
+//! `check --element`: a UEL against an element of the catalog, at its golden cases and at points beside them; strictly, within our
+//! bounds at all golden cases, and with refusals.
 
 use super::derivative::rotation;
 use super::driver::abi;
@@ -14,8 +15,8 @@ use crate::template::filled;
 use crate::uel::{Interface, is_rotation, len};
 use jointproof::catalog::AnyElement;
 use jointproof::formula::Field;
-use jointproof::toolkit::verify::Layout;
 use jointproof::toolkit::verify::golden::components;
+use jointproof::toolkit::verify::{ElementRecord, Layout, Out};
 use judge::{Answer, Manners};
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -34,6 +35,10 @@ const PRECISION: f64 = 1e-10;
 const WIDTH: usize = 120;
 /// A rounding of a number of size 1.
 const ROUNDING: f64 = 2e-16;
+/// The unit of η.
+const UNIT: f64 = f64::EPSILON / 2.0;
+/// The largest component of a rotation vector.
+const TURN: f64 = 1.25;
 
 impl Interface {
     /// The numbers of a line of input, and of its answer.
@@ -42,8 +47,8 @@ impl Interface {
         [self.nprops() + states + self.mcrd * self.nodes + n, n + n * n + states]
     }
 
-    /// PROPS, SVARS, COORDS and U at inputs.
-    fn arguments(&self, inputs: &[f64], rubs: bool, random: &mut Random) -> Vec<f64> {
+    /// PROPS, SVARS, COORDS and U at inputs; nodes have turned by up to so much about each axis.
+    fn arguments(&self, inputs: &[f64], rubs: bool, turn: f64, random: &mut Random) -> Vec<f64> {
         let layout = &self.layout;
         let nodes = len(layout.nodes);
         let multipliers = &inputs[nodes..nodes + len(layout.multipliers)];
@@ -54,14 +59,14 @@ impl Interface {
         let mut props = Vec::new();
         for triad in &self.triads {
             if self.mcrd == 3 {
-                let theta = [(); 3].map(|()| 1.25 * random.next());
+                let theta = [(); 3].map(|()| turn * random.next());
                 let back = rotation(theta.map(|component| -component));
                 for &vector in triad {
                     props.extend(back.map(|row| (0..3).map(|k| row[k] * inputs[vector + k]).sum::<f64>()));
                 }
                 turns.push(theta.to_vec());
             } else {
-                let angle = 1.25 * random.next();
+                let angle = turn * random.next();
                 let (sine, cosine) = angle.sin_cos();
                 for &vector in triad {
                     let [x, y] = [inputs[vector], inputs[vector + 1]];
@@ -132,6 +137,24 @@ impl Interface {
         }
     }
 
+    /// What a number is, and of which fields its row and its column are.
+    fn block(&self, place: usize) -> (char, usize, usize) {
+        let field_of = |lists: [&[Field]; 2], k: usize| {
+            let fields = lists.into_iter().flatten().enumerate();
+            fields.flat_map(|(k, field)| vec![k; field.len()]).nth(k).unwrap_or_default()
+        };
+        let (n, layout) = (self.ndofel(), &self.layout);
+        let row = |k| field_of([layout.unknowns, layout.residuals], k);
+        match place {
+            place if place < n => ('R', row(place), 0),
+            place if place < n + n * n => {
+                let place = place - n;
+                ('A', row(place / n), field_of([layout.unknowns, layout.multipliers], place % n))
+            }
+            place => ('S', field_of([layout.state, &[]], place - n - n * n), 0),
+        }
+    }
+
     /// Where the numbers begin that a number is compared with in size, and where they end: RHS, a row of AMATRX, or SVARS.
     fn kind(&self, place: usize) -> std::ops::Range<usize> {
         let n = self.ndofel();
@@ -147,9 +170,56 @@ impl Interface {
 struct Point {
     name: String,
     arguments: Vec<f64>,
-    /// By the element, and by what else is right where conditions are violated; see [`WAYS`].
+    /// By the element, and by what else is right where conditions are violated; see [`WAYS`]. None where it has to be refused.
     expected: Vec<Vec<Option<f64>>>,
     allowed: Vec<f64>,
+}
+
+/// What `--strict` asks for beyond the same element: at every golden case, with nodes that have not turned so that no input is rounded,
+/// our bound of η; and refusals of what is not allowed.
+fn strict_points(element: &dyn AnyElement, mapping: &Interface) -> Vec<Point> {
+    let mut random = Random::new();
+    let layout = &mapping.layout;
+    // A golden number is rounded once.
+    let bound = element.spec().bounds().0.value + 1.0;
+    let point = |case: ElementRecord| {
+        let rubs = layout.contact.first().is_some_and(|field| case.inputs.contains_key(field.name));
+        let inputs = components(element.inputs(rubs), &case.inputs).ok()?;
+        let arguments = mapping.arguments(&inputs, rubs, 0.0, &mut random);
+        let Some((out, scale)) = case.out.zip(case.out_scale) else {
+            // Where the first number of friction is 0 nothing rubs, and nothing is refused.
+            let place = element.inputs(rubs).iter().take_while(|field| layout.contact.first() != Some(field));
+            let is_off = rubs && inputs[place.map(Field::len).sum::<usize>()] == 0.0;
+            let refused = Point { name: case.id, arguments, expected: Vec::new(), allowed: Vec::new() };
+            return (!is_off).then_some(refused);
+        };
+        let [expected, mut scales] = [out, scale].map(|out| mapping.expected(&flat(&out, layout), rubs));
+        if element.spec().normwise.is_some() {
+            scales = largest_of_blocks(mapping, &scales);
+        }
+        let allowed = |scale: &Option<f64>| bound * (UNIT * scale.unwrap_or_default() + f64::from_bits(1));
+        let allowed = scales.iter().map(allowed).collect();
+        Some(Point { name: case.id, arguments, expected: vec![expected], allowed })
+    };
+    element.golden().cases.into_iter().filter_map(point).collect()
+}
+
+/// For each number the largest one of its block.
+fn largest_of_blocks(mapping: &Interface, scales: &[Option<f64>]) -> Vec<Option<f64>> {
+    let blocks: Vec<_> = (0..scales.len()).map(|place| mapping.block(place)).collect();
+    let mut largest = BTreeMap::new();
+    for (block, scale) in blocks.iter().zip(scales) {
+        let most: &mut Option<f64> = largest.entry(block).or_default();
+        *most = if *scale > *most { *scale } else { *most };
+    }
+    blocks.iter().map(|block| largest[block]).collect()
+}
+
+/// The results of an element as numbers in a row.
+fn flat(out: &Out, layout: &Layout) -> Vec<f64> {
+    let Out { residuals, rows, forces, stiffness, by_multipliers, after } = out;
+    let after = after.as_ref().and_then(|after| components(layout.state, after).ok()).unwrap_or_default();
+    [residuals.clone(), rows.concat(), forces.clone(), stiffness.concat(), by_multipliers.concat(), after].concat()
 }
 
 /// What somebody's element may do where conditions are violated, instead of what ours does.
@@ -160,8 +230,15 @@ const WAYS: [&str; 3] = [
 ];
 
 impl Point {
+    fn must_be_refused(&self) -> bool {
+        self.expected.is_empty()
+    }
+
     /// The numbers that are off by more than is allowed.
     fn off(&self, found: &[Option<f64>], way: usize) -> Vec<usize> {
+        if self.must_be_refused() {
+            return Vec::new();
+        }
         let is_off = |&place: &usize| {
             let (Some(found), Some(expected)) = (found[place], self.expected[way][place]) else { return false };
             let is_within = (found - expected).abs() <= self.allowed[place];
@@ -208,7 +285,7 @@ fn points(element: &dyn AnyElement, mapping: &Interface) -> Vec<Point> {
             let otherwise = violated.iter().flat_map(|conditions| conditions.otherwise(&inputs, &results));
             let otherwise: Vec<_> = otherwise.map(|results| mapping.expected(&results, rubs)).collect();
             let name = if beside == 0 { case.id.clone() } else { format!("{}, varied {beside}", case.id) };
-            let arguments = mapping.arguments(&inputs, rubs, &mut random);
+            let arguments = mapping.arguments(&inputs, rubs, TURN, &mut random);
             let allowed = (0..expected.len()).map(allowed).collect();
             points.push(Point { name, arguments, expected: [vec![expected], otherwise].concat(), allowed });
         }
@@ -296,10 +373,14 @@ fn wrapped(line: &str) -> String {
 ///
 /// # Errors
 /// If there is no such element, or the program cannot be started.
-pub(super) fn run(project: &Project, id: &str, program: &[String], limit: Duration) -> Outcome {
+pub(super) fn run(project: &Project, id: &str, program: &[String], limit: Duration, is_strict: bool) -> Outcome {
     let element = selection::element(project, id)?;
     let mapping = Interface::new(element);
-    let points = points(element, &mapping);
+    let mut points = points(element, &mapping);
+    let strict = if is_strict { strict_points(element, &mapping) } else { Vec::new() };
+    let [refused, bounded] =
+        [true, false].map(|is| strict.iter().filter(|point| point.must_be_refused() == is).count());
+    points.extend(strict);
     let [inputs, numbers] = mapping.numbers();
     let shown = |point: &Point| point.arguments.iter().map(|&x| Digits::Decimal.show(x)).collect::<Vec<_>>().join(" ");
     debug_assert!(points.iter().all(|point| point.arguments.len() == inputs), "{id}: every argument");
@@ -331,10 +412,12 @@ pub(super) fn run(project: &Project, id: &str, program: &[String], limit: Durati
         };
         points.iter().zip(&answers).map(off).sum()
     };
-    let ways = points.iter().map(|point| point.expected.len()).min().unwrap_or_default();
+    let ways = if is_strict { 1 } else { points.iter().map(|point| point.expected.len()).min().unwrap_or_default() };
     let way = (0..ways).min_by_key(|&way| off_by(way)).unwrap_or_default();
     for (point, answer) in points.iter().zip(answers) {
         let fault = match answer {
+            Answer::Numbers(_) if point.must_be_refused() => "not refused, though it is not allowed".to_owned(),
+            Answer::Refused(_) if point.must_be_refused() => continue,
             Answer::Numbers(found) => {
                 let wrong_here = point.off(&found, way);
                 off += usize::from(!wrong_here.is_empty());
@@ -355,7 +438,19 @@ pub(super) fn run(project: &Project, id: &str, program: &[String], limit: Durati
     let all = count(points.len(), "point");
     let _ = if off == 0 {
         let how = WAYS[way];
-        writeln!(text, "RHS, AMATRX and SVARS are those of the element at {all}, for LFLAGS(3) = 1, 2 and 5{how}")
+        let eta = element.spec().bounds().0.value;
+        let strictly = if is_strict {
+            format!(
+                ", within η ≤ {eta} at {}; all {refused} that are not allowed are refused",
+                count(bounded, "golden case")
+            )
+        } else {
+            String::new()
+        };
+        writeln!(
+            text,
+            "RHS, AMATRX and SVARS are those of the element at {all}, for LFLAGS(3) = 1, 2 and 5{how}{strictly}"
+        )
     } else {
         writeln!(text, "it is not the element at {off} of {all}")
     };

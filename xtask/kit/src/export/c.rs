@@ -19,6 +19,9 @@ pub(super) const RUNTIME: &str = include_str!("runtime/jp_runtime.h");
 pub(super) const ARRAYS: &str = include_str!("runtime/jp_arrays.h");
 /// Whether the compiler keeps the order of operations.
 const SELF_TEST: &str = include_str!("runtime/jp_self_test.c");
+/// A program that calls an element.
+const EXAMPLE: &str = include_str!("runtime/double_cardan.c");
+const EXAMPLE_CALLS: &str = "element_ujoint_smooth";
 /// How other projects find the library.
 const PKG_CONFIG: &str = include_str!("runtime/jointproof.pc.in");
 /// Reserved words of C and C++ that could be the name of a quantity, and names used in the functions themselves.
@@ -78,6 +81,9 @@ impl Language for C {
         ];
         files.extend(drivers);
         files.extend(sources);
+        if recorded.iter().any(|one| stem(one) == EXAMPLE_CALLS) {
+            files.push(("double_cardan.c".to_owned(), EXAMPLE.to_owned()));
+        }
         files
     }
 

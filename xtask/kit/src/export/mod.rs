@@ -44,7 +44,8 @@ use std::path::PathBuf;
   {command} export --lang c --out jp --speed              and time it, compared with Rust
   {command} export --lang c --out jp --element slot       an element
   {command} export --shell uel --element slot --out jp    an element for Abaqus, in one file
-  {command} export --shell uel --element slot --element hinge --fixed --out jp")]
+  {command} export --shell uel --element slot --element hinge --fixed --out jp
+  {command} export --shell umpc-user --out jp             SLIDER for CalculiX")]
 pub(crate) struct Arguments {
     /// The language
     #[arg(long, value_enum, required_unless_present = "shell")]

@@ -6,19 +6,15 @@ use super::program::folded;
 use super::recorded::{
     Function, Recorded, Shape, Subject, Text, bounds, description, refusals, required, stem, unreserved,
 };
-use jointproof::connector::ujoint::Constraint;
-use jointproof::element::offset::Arm;
-use jointproof::element::{cross, line};
-use jointproof::formula::{Field, Formula};
+use jointproof::formula::Field;
 use jointproof::toolkit::graph::{Node, Op, Unary};
 
 pub(super) struct NumPy;
 
 pub(super) const RUNTIME: &str = include_str!("runtime/jp_runtime.py");
 const DRIVER: &str = include_str!("runtime/driver.py");
-/// User functions for Exudyn, and the formulas they call.
-const EXUDYN: &str = include_str!("runtime/exudyn_ujoint.py");
-const EXUDYN_CALLS: [&str; 4] = [Arm::SPEC.id, line::Rows::SPEC.id, Constraint::SPEC.id, cross::Rows::SPEC.id];
+/// Elements as constraints of Exudyn.
+const EXUDYN: &str = include_str!("runtime/exudyn_connector.py");
 /// Reserved words of Python, and names used in the functions themselves.
 const RESERVED: [&str; 4] = ["lambda", "in", "np", "given"];
 
@@ -51,8 +47,8 @@ impl Language for NumPy {
             ("driver.py".to_owned(), DRIVER.to_owned()),
         ];
         files.extend(recorded.iter().map(|one| (format!("jp_{}.py", stem(one)), source(one))));
-        if EXUDYN_CALLS.iter().all(|id| recorded.iter().any(|one| one.subject.spec().id == *id)) {
-            files.push(("exudyn_ujoint.py".to_owned(), EXUDYN.to_owned()));
+        if recorded.iter().any(|one| matches!(one.subject, Subject::Element(..))) {
+            files.push(("exudyn_connector.py".to_owned(), EXUDYN.to_owned()));
         }
         files
     }
@@ -232,15 +228,5 @@ mod tests {
         let files = NumPy.files(&formulas(&["coulomb.yield", "slot.contact_force"]));
         let named = |text: &str| text.contains("FORMULAS = [\n    coulomb_yield,\n    slot_contact_force,\n]\n");
         assert_eq!(files.iter().filter(|(_, text)| named(text)).count(), 1);
-    }
-
-    #[test]
-    fn the_joint_for_exudyn_comes_with_all_formulas_that_it_calls() {
-        let files = |ids: &[&str]| NumPy.files(&formulas(ids));
-        let printed = |files: &[File]| files.iter().any(|(name, _)| name == "exudyn_ujoint.py");
-        let all = files(&EXUDYN_CALLS);
-        assert!(printed(&all) && !printed(&files(&EXUDYN_CALLS[1..])));
-        let called: Vec<_> = EXUDYN.lines().filter_map(|line| line.strip_prefix("import jp_")).collect();
-        assert_eq!(called, EXUDYN_CALLS.map(|id| id.replace('.', "_")));
     }
 }

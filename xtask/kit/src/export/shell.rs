@@ -1,6 +1,6 @@
 //! `export --shell`: a user routine for a finite-element program in one file, with the exported functions that it calls.
 //!
-//! FRIC and MPC are written by hand around formulas. An element is `uel.f90` around its recorded functions: from its fields follow
+//! FRIC, MPC and `umpc_user` are written by hand around formulas. An element is `uel.f90` around its recorded functions: from its fields follow
 //! the layout of its properties, its state and its multipliers, and the calls.
 
 mod fixed;
@@ -29,6 +29,8 @@ pub(super) enum Shell {
     Fric,
     /// A multi-point constraint of Abaqus: SLIDER
     Mpc,
+    /// A user MPC of CalculiX: SLIDER
+    UmpcUser,
 }
 
 /// Compilers take the rest of the file as free form, whatever its name.
@@ -57,6 +59,7 @@ pub(super) fn write(
         Shell::Uel => uel(project, elements)?,
         Shell::Fric => by_hand(project, "fric", include_str!("shell/fric.f90"))?,
         Shell::Mpc => by_hand(project, "mpc", include_str!("shell/mpc.f90"))?,
+        Shell::UmpcUser => by_hand(project, "umpc_user", include_str!("shell/umpc_user.f90"))?,
     };
     // No module of another file has the same name.
     let runtime = format!("jp_runtime_{name}");
@@ -81,10 +84,11 @@ fn by_hand(project: &Project, name: &str, text: &str) -> anyhow::Result<Routine>
     let (recorded, _) = record(&formulas, Some(project));
     let uses: Vec<_> = recorded.iter().map(|one| format!("    use jp_{}\n", one.subject.stem())).collect();
     let (head, body) = text.split_once("\nsubroutine ").context("a routine is a routine")?;
+    let body = filled(body, &[("axes", include_str!("shell/axes.f90"))]).replace("{uses}", &uses.concat());
     Ok(Routine {
         name: name.to_owned(),
         head: format!("{head}\n"),
-        text: format!("subroutine {}", body.replace("{uses}", &uses.concat())),
+        text: format!("subroutine {body}"),
         modules: recorded.iter().flat_map(modules).collect(),
     })
 }
@@ -147,7 +151,7 @@ fn module(element: &dyn AnyElement, forms: &[Recorded]) -> String {
     declarations.extend(places.declarations);
     let call = if with_friction.is_some() {
         declarations.push("logical :: rubs".into());
-        format!("rubs = props({stick}) > 0\nif (rubs) then\n    {rubbing}\nelse\n    {smooth}\nend if")
+        format!("rubs = .not. abs(props({stick})) <= 0\nif (rubs) then\n    {rubbing}\nelse\n    {smooth}\nend if")
     } else {
         smooth
     };

@@ -22,12 +22,7 @@ subroutine mpc(ue, a, jdof, mdof, n, jtype, x, u, uinit, maxdof, lmpc, kstep, ki
     x1 = x(1:3, 3) + u(1:3, 3)
     xn = x(1:3, 6) + u(1:3, 6)
     ! The axes as slider.eliminate chooses them.
-    d = abs(xn - x1)
-    d = scale(d, -exponent(maxval(d)))
-    more = merge(3, 2, d(3) >= d(2))
-    less = 5 - more
-    axes = [less, more, 1]
-    if (d(more) > 0 .and. d(more)**2 + d(less)**2 >= d(more) * d(1)) axes = [less, 1, more]
+    {axes}
     eliminated = axes(jtype)
     kept = axes(3)
     if (jp_slider_eliminate_jacobian(x1, xn, x(kept, 2) + u(kept, 2), found(1), found(2), slope) /= 0) then
