@@ -88,6 +88,7 @@ fn equal_pairs(left: ContactMomentPair<Octuple>, right: ContactMomentPair<Octupl
 pub(crate) fn hard_cases() -> Vec<Case<JointLoads<f64>>> {
     let hand = hand();
     let mut cases = vec![
+        Case::hand(RUNNING, "1.54 × 0.5 + (9.025 + 3.5) × 1.05, 6.125 × 0.5 + (8.66 + 3.5) × 1.05", running()),
         Case::hand("straight", "α_axial = 0.35, β_axial = 0.15, F_bend = 16, M_bend = 4", hand),
         Case::hand("no-twist", "√(4² + 12²) and 5, 2 × 4/4 each", JointLoads { m2: 0.0, ..hand }),
         Case::hand("bend-alone", "16/4 and 2 × 4/4: 6 each", JointLoads { f1: 0.0, f3: 0.0, m2: 0.0, ..hand }),
@@ -124,6 +125,24 @@ pub(crate) fn hard_cases() -> Vec<Case<JointLoads<f64>>> {
         Case::hard(arm.id, arm.comment, JointLoads { f1, f2, f3, m2, la, rp, ra: rp, ls: la, ..off_axis })
     }));
     cases
+}
+
+/// The case of the state that the chapter on UJOINT follows from the centre of the cross to the friction in its hinges.
+pub(crate) const RUNNING: &str = "running";
+
+/// That state: sin α = 0.6 and λ = 2, so that every number of the chain has few digits.
+pub(crate) fn running() -> JointLoads<f64> {
+    JointLoads {
+        e3b: Vector3::new(0.0, -0.6, 0.8),
+        f1: -4.4,
+        f2: -4.1,
+        f3: 18.8,
+        m2: 59.36,
+        rp: 1.05,
+        la: 2.1,
+        ls: 2.0,
+        ..hand()
+    }
 }
 
 /// The global axes and α = 0: F_axial1 = 20, F_axial3 = 80, F_bend = 16.

@@ -5,6 +5,7 @@
 //!
 //! Fields marked *text* contain plain text in which `$…$` is mathematics and `` `…` `` is code.
 
+use super::sheet::Sheet;
 use crate::export::Download;
 use crate::extension::Extras;
 use crate::report::data::Report;
@@ -27,6 +28,8 @@ pub(crate) struct Content {
     pub(crate) is_current: bool,
     /// Golden files to be copied next to the pages.
     pub(crate) golden: Vec<GoldenFile>,
+    /// The sheets of the elements.
+    pub(crate) sheets: Vec<Sheet>,
     /// Formulas and elements in other languages.
     pub(crate) downloads: Vec<Download>,
     /// The data for citing entries.

@@ -1,12 +1,13 @@
 //! Speed and error: the part of an entry about the last report, and the parts of the chapter.
 
 use super::content::Entry;
-use super::html::{each, escape, number, row, table};
+use super::downloads;
+use super::html::{each, escape, number, relative, row, table};
 use super::pages::{Pages, Place};
 use crate::report::data::Report;
 use crate::report::tables::{duration, spread, step};
 use crate::report::verdict::Verdict;
-use crate::report::{plot, price};
+use crate::report::{plot, price, spread};
 use jointproof::toolkit::measure::{Errors, Figures, Measurement, MethodFigures, Scheme, Time};
 
 /// The folded part of an entry.
@@ -74,12 +75,13 @@ fn worst(errors: Option<&Errors>) -> String {
 
 /// The parts of the chapter, by the argument of `{{#speed …}}`; a family may follow, as in `{{#speed own slider}}`.
 pub(crate) const PARTS: &str =
-    "speed about, speed verdict, speed overviews, speed table, speed differences and speed own";
+    "speed all, speed about, speed verdict, speed overviews, speed table, speed differences and speed own";
 
 /// One part of the chapter, for all formulas or for a family; `None` if there is no such part.
 pub(crate) fn part(pages: &Pages<'_>, at: &Place, argument: &str) -> Option<String> {
     let (name, family) = argument.split_once(' ').unwrap_or((argument, ""));
     let part: fn(&Pages<'_>, &Place, &Report) -> String = match name {
+        "all" => |pages, at, report| all(pages, at, report),
         "about" => |pages, _, report| about(report, pages.content.is_current),
         "verdict" => verdict,
         "overviews" => |pages, _, report| overviews(pages, report),
@@ -93,6 +95,37 @@ pub(crate) fn part(pages: &Pages<'_>, at: &Place, argument: &str) -> Option<Stri
         Some(report) => part(pages, at, &report.of_family(family)),
         None => "<p class=\"missing\">Not measured; run the command <code>report</code>.</p>".into(),
     })
+}
+
+/// The name of the report as a table of numbers, among the downloads.
+pub(crate) const CSV: &str = "speed.csv";
+
+/// All methods over all formulas: the picture, and the same in a table.
+fn all(pages: &Pages<'_>, at: &Place, report: &Report) -> String {
+    let spreads = spread::spreads(report);
+    let range = |[low, middle, high]: spread::Quantiles| {
+        format!("<b>{}</b> ({} to {})", number(middle), number(low), number(high))
+    };
+    let rows = each(&spreads, |spread| {
+        row(&[
+            ("", escape(&spread.title)),
+            ("figure", spread.evaluations.into()),
+            ("figure", range(spread.times)),
+            ("figure", range(spread.ratios)),
+            ("figure", range(spread.each)),
+            ("figure", range(spread.errors)),
+        ])
+    });
+    let head = ["Method", "Evaluations", "Time, ns", "Closed form = 1", "One evaluation, value = 1", "Relative error"];
+    let picture = pages.later.keep(&format!("<div class=\"plots wide\">{}</div>", plot::all(&spreads)), "");
+    let data = escape(&relative(&at.page, &format!("{}/{CSV}", downloads::FOLDER)));
+    format!(
+        "<figure id=\"speed-all\">{picture}<figcaption>Every method over all {} formulas: a mark at the medians of time and \
+         error, bars from a tenth of the formulas to nine tenths, a dot for each formula. \
+         <a href=\"{data}\" download>The data (CSV)</a>.</figcaption></figure>{}",
+        report.formulas.len(),
+        table("speed", &head, &rows)
+    )
 }
 
 /// When and where the report was made.
