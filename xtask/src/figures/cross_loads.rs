@@ -40,7 +40,7 @@ pub(super) fn html() -> String {
             sketch.arrow(hinge, axis * 0.55, Ink::Accent);
             sketch.arrow(hinge, other * (0.7 * side), Ink::Force);
         }
-        sketch.label(axis * 2.3, [8.0, 6.0], name, Ink::Accent);
+        sketch.label(axis * 2.45, [8.0, 6.0], name, Ink::Accent);
     }
     sketch.label(x * 1.7 + y * 0.7, [-14.0, -8.0], "T + V", Ink::Force);
     sketch.label(x * 2.1, [-10.0, 22.0], "H", Ink::Accent);
@@ -49,7 +49,7 @@ pub(super) fn html() -> String {
     let bending = value("ujoint.hinge_bending");
     for (k, axis) in ["*e_1a", "*e_3b"].into_iter().enumerate() {
         sketch.note(format!(
-            "Each hinge of {axis} : along it H = {}; normal to it T = {} of the twisting moment, V = {} of the other axis, and {} normal \
+            "Each hinge of {axis}: along it H = {}; normal to it T = {} of the twisting moment, V = {} of the other axis, and {} normal \
              to the cross, together {}.",
             number(axial[k]),
             number(twist[1]),

@@ -16,7 +16,7 @@ pub(crate) fn table() -> (String, Vec<Table>) {
     let (reduced, exact) = (rows::Rows::eval(&nodes), Constraint::jacobian(&nodes).g1);
     let reduced = [reduced.g1_u1, reduced.g1_un, reduced.g1_um];
     let shown = |v: Vector3<f64>| {
-        let all = v.iter().map(|x| format!("{:.4}", x + 0.0).replace('-', "−"));
+        let all = v.iter().map(|x| ((x * 1e4).round() / 1e4 + 0.0).to_string().replace('-', "−"));
         format!("({})", all.collect::<Vec<_>>().join(", "))
     };
     let row = |(node, (one, other)): (&str, (Vector3<f64>, Vector3<f64>))| {

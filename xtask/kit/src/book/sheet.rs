@@ -7,7 +7,7 @@ use jointproof::catalog::AnyElement;
 use jointproof::formula::Field;
 
 use super::content::{Content, Entry};
-use super::worked::{matrix, numbers};
+use super::worked::{listed as listed_numbers, matrix, numbers};
 use crate::project::Project;
 use crate::uel::{Interface, degrees, is_position, is_rotation, len, places};
 
@@ -89,9 +89,12 @@ pub(crate) fn of(project: &Project, element: &dyn AnyElement) -> Option<Sheet> {
     })
 }
 
+/// A dash at which no line breaks.
+const TO: &str = "\u{2060}–\u{2060}";
+
 /// `4–6`, or `4`.
 fn range(from: usize, count: usize) -> String {
-    if count == 1 { from.to_string() } else { format!("{from}–{}", from + count - 1) }
+    if count == 1 { from.to_string() } else { format!("{from}{TO}{}", from + count - 1) }
 }
 
 fn described(field: &Field) -> String {
@@ -156,7 +159,7 @@ fn table_of_places(array: &str, fields: &'static [Field], from: usize) -> String
     }
     let rows = places(fields, from)
         .into_iter()
-        .map(|(place, field)| format!("| {} | `{}` | {} |\n", place.replace('-', "–"), field.name, described(field)));
+        .map(|(place, field)| format!("| {} | `{}` | {} |\n", place.replace('-', TO), field.name, described(field)));
     format!("| {array} | name | meaning |\n|---|---|---|\n{}", rows.collect::<String>())
 }
 
@@ -191,7 +194,7 @@ fn blocks(
         }
         first += height;
     }
-    shown.join(" ")
+    shown.join(" \u{2003} ")
 }
 
 /// The results of a case: residuals, rows, forces, stiffness, forces by multipliers, and the state after.
@@ -219,7 +222,13 @@ impl<'r> Results<'r> {
     }
 }
 
-/// The case with the fewest zeros among its results, and among these the one with the shortest numbers, in numbers.
+/// The beginning of the cases whose numbers have few digits, where an element has them.
+const SHORT: &str = "turned";
+
+/// The largest size of a number that is easily read.
+const LARGE: f64 = 1e4;
+
+/// One of the cases with short numbers; of these, or else of all, the one with the fewest zeros and the shortest numbers.
 fn state(element: &dyn AnyElement) -> Option<String> {
     let layout = element.layout();
     let rubs = !layout.contact.is_empty();
@@ -229,7 +238,14 @@ fn state(element: &dyn AnyElement) -> Option<String> {
         let results = element.value(&case.inputs, rubs).ok()?;
         let stiffness = blocks(Results::new(element, &results).stiffness, &motions, &motions, k);
         let zeros = results.iter().filter(|x| **x == 0.0).count();
-        Some(((zeros, stiffness.len()), case.id, case.inputs, results, stiffness))
+        let is_large = results.iter().any(|x| x.abs() > LARGE);
+        Some((
+            (!case.id.starts_with(SHORT), is_large, zeros, stiffness.len()),
+            case.id,
+            case.inputs,
+            results,
+            stiffness,
+        ))
     });
     let (_, id, inputs, results, stiffness) = valid.min_by_key(|(rank, ..)| *rank)?;
     let found = Results::new(element, &results);
@@ -262,14 +278,13 @@ fn state(element: &dyn AnyElement) -> Option<String> {
         }
         let velocities = velocities(len(layout.unknowns));
         let term = velocity_term(element, &inputs, &velocities, rubs)?;
-        let moving: Vec<_> = layout.unknowns.iter().map(|field| format!(r"\dot{{{}}}", field.quantity.latex)).collect();
         let mut at = 0;
-        let given = layout.unknowns.iter().zip(moving).map(|(field, latex)| {
+        let given = layout.unknowns.iter().map(|field| {
             at += field.len();
-            format!("${latex} = {}$", matrix(&[velocities[at - field.len()..at].to_vec()]))
+            format!(r"$\dot{{{}}} =$ {}", field.quantity.latex, listed_numbers(&velocities[at - field.len()..at]))
         });
         let given = given.collect::<Vec<_>>().join(", ");
-        line("Velocity term", &format!("With {given} it is ${}$.", matrix(&[term])));
+        line("Velocity term", &format!("With {given} it is {}.", listed_numbers(&term)));
     }
     if rubs {
         line("State after the step", &listed(layout.state, found.after));

@@ -74,14 +74,14 @@ fn worst(errors: Option<&Errors>) -> String {
 }
 
 /// The parts of the chapter, by the argument of `{{#speed …}}`; a family may follow, as in `{{#speed own slider}}`.
-pub(crate) const PARTS: &str =
-    "speed all, speed about, speed verdict, speed overviews, speed table, speed differences and speed own";
+pub(crate) const PARTS: &str = "speed all, speed methods, speed about, speed verdict, speed overviews, speed table, speed differences and speed own";
 
 /// One part of the chapter, for all formulas or for a family; `None` if there is no such part.
 pub(crate) fn part(pages: &Pages<'_>, at: &Place, argument: &str) -> Option<String> {
     let (name, family) = argument.split_once(' ').unwrap_or((argument, ""));
     let part: fn(&Pages<'_>, &Place, &Report) -> String = match name {
-        "all" => |pages, at, report| all(pages, at, report),
+        "all" => all,
+        "methods" => |_, _, report| every_method(report),
         "about" => |pages, _, report| about(report, pages.content.is_current),
         "verdict" => verdict,
         "overviews" => |pages, _, report| overviews(pages, report),
@@ -100,31 +100,36 @@ pub(crate) fn part(pages: &Pages<'_>, at: &Place, argument: &str) -> Option<Stri
 /// The name of the report as a table of numbers, among the downloads.
 pub(crate) const CSV: &str = "speed.csv";
 
-/// All methods over all formulas: the picture, and the same in a table.
-fn all(pages: &Pages<'_>, at: &Place, report: &Report) -> String {
-    let spreads = spread::spreads(report);
+/// The picture above in numbers: medians over the formulas, and of time and error a tenth and nine tenths.
+fn every_method(report: &Report) -> String {
     let range = |[low, middle, high]: spread::Quantiles| {
-        format!("<b>{}</b> ({} to {})", number(middle), number(low), number(high))
+        format!("<b>{}</b><br>{} to {}", number(middle), number(low), number(high))
     };
-    let rows = each(&spreads, |spread| {
+    let rows = each(spread::spreads(report), |spread| {
         row(&[
             ("", escape(&spread.title)),
             ("figure", spread.evaluations.into()),
-            ("figure", range(spread.times)),
+            ("figure", number(spread.times[1])),
             ("figure", range(spread.ratios)),
-            ("figure", range(spread.each)),
+            ("figure", number(spread.each[1])),
             ("figure", range(spread.errors)),
         ])
     });
-    let head = ["Method", "Evaluations", "Time, ns", "Closed form = 1", "One evaluation, value = 1", "Relative error"];
-    let picture = pages.later.keep(&format!("<div class=\"plots wide\">{}</div>", plot::all(&spreads)), "");
+    let head =
+        ["Method", "Evaluations", "Time, ns", "Closed form = 1", "For each evaluation, value = 1", "Relative error"];
+    table("speed", &head, &rows)
+}
+
+/// The picture of all methods over all formulas.
+fn all(pages: &Pages<'_>, at: &Place, report: &Report) -> String {
+    let picture = plot::all(&spread::spreads(report));
+    let picture = pages.later.keep(&format!("<div class=\"plots wide\">{picture}</div>"), "");
     let data = escape(&relative(&at.page, &format!("{}/{CSV}", downloads::FOLDER)));
     format!(
         "<figure id=\"speed-all\">{picture}<figcaption>Every method over all {} formulas: a mark at the medians of time and \
          error, bars from a tenth of the formulas to nine tenths, a dot for each formula. \
-         <a href=\"{data}\" download>The data (CSV)</a>.</figcaption></figure>{}",
-        report.formulas.len(),
-        table("speed", &head, &rows)
+         <a href=\"{data}\" download>The data (CSV)</a>.</figcaption></figure>",
+        report.formulas.len()
     )
 }
 

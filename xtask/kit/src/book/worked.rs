@@ -94,9 +94,7 @@ pub(crate) fn numbers(fields: &[Field], components: &[f64]) -> Vec<String> {
         match &*numbers {
             [one] => format!("${latex} {sign} {one}$"),
             // Plain text, in which lines may break.
-            several => {
-                format!("${latex} {sign}$ ({})", several.iter().map(|text| plain(text)).collect::<Vec<_>>().join(", "))
-            }
+            several => format!("${latex} {sign}$ {}", in_brackets(several)),
         }
     };
     fields.iter().map(one).collect()
@@ -111,6 +109,15 @@ fn digits(numbers: &[f64]) -> (&'static str, Vec<String>) {
 /// A number in LaTeX as plain text, with mathematics only if it has an exponent.
 fn plain(latex: &str) -> String {
     if latex.contains('^') { format!("${latex}$") } else { latex.replace('-', "−") }
+}
+
+/// Numbers in brackets, rounded to few digits.
+pub(crate) fn listed(numbers: &[f64]) -> String {
+    in_brackets(&digits(numbers).1)
+}
+
+fn in_brackets(numbers: &[String]) -> String {
+    format!("({})", numbers.iter().map(|text| plain(text)).collect::<Vec<_>>().join(", "))
 }
 
 /// A matrix in LaTeX, rounded to few digits.

@@ -32,7 +32,7 @@ pub(crate) fn downloads(project: &Project) -> Vec<Download> {
     let elements = project.elements().iter().map(|element| (Shell::Uel, Some(element)));
     let shells: Vec<_> = elements.chain([(Shell::Fric, None), (Shell::Mpc, None)]).collect();
     let routines = shells.par_iter().flat_map_iter(|&(shell, element)| routine(project, shell, element));
-    recorded.par_iter().flat_map_iter(of).chain(routines).collect()
+    routines.chain(recorded.par_iter().flat_map_iter(of)).collect()
 }
 
 /// A user routine of Abaqus in both forms of Fortran; none if it cannot be exported.

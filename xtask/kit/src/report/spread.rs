@@ -63,7 +63,7 @@ pub(crate) fn spreads(report: &Report) -> Vec<Spread> {
     });
     let fixed = Scheme::ALL.into_iter().map(|scheme| {
         let &(id, evaluations, count) = METHODS.iter().find(|(id, ..)| *id == scheme.id())?;
-        spread(report, id, [&format!("{id}-fixed"), ", step chosen beforehand"], evaluations, count, |measurement| {
+        spread(report, id, [&format!("{id}-fixed"), ", fixed step"], evaluations, count, |measurement| {
             error_at_usual_step(measurement, scheme)
         })
     });

@@ -11,7 +11,7 @@ const UP: [f64; 2] = [318.0, 26.0];
 /// Smaller errors are drawn at this value.
 const FLOOR: f64 = 1e-17;
 /// A formula in the cloud behind a method.
-const DOT: &str = "m-1.5 0h3";
+const DOT: &str = "h0";
 
 /// A mark at the medians of time and error, with bars from the first tenth of the formulas to the last, before a dot for each.
 pub(crate) fn all(spreads: &[Spread]) -> String {
