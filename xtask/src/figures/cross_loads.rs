@@ -2,6 +2,8 @@
 
 use super::sketch::{Ink, Point, Sketch, View};
 use jointproof::catalog::find;
+use jointproof::connector::ujoint::{Decomposition, HingeAxial, HingeBending, HingeTransverse, HingeTwist};
+use jointproof::formula::{Formula, Spec};
 use jointproof::toolkit::verify::golden::components;
 
 pub(super) const NAME: &str = "ujoint-hinges";
@@ -10,7 +12,7 @@ pub(super) const NAME: &str = "ujoint-hinges";
 const STATE: &str = "running";
 
 /// The value of a formula in that state.
-fn value(id: &str) -> Vec<f64> {
+fn value(Spec { id, .. }: &Spec) -> Vec<f64> {
     let formula = find(id).unwrap_or_else(|| panic!("there is no {id}"));
     let golden = formula.golden();
     let case = golden.cases.iter().find(|case| case.id == STATE).unwrap_or_else(|| panic!("{id} has no case {STATE}"));
@@ -44,9 +46,9 @@ pub(super) fn html() -> String {
     }
     sketch.label(x * 1.7 + y * 0.7, [-14.0, -8.0], "T + V", Ink::Force);
     sketch.label(x * 2.1, [-10.0, 22.0], "H", Ink::Accent);
-    let (axial, twist) = (value("ujoint.hinge_axial"), value("ujoint.hinge_twist"));
-    let (normal, total) = (value("ujoint.decomposition")[2], value("ujoint.hinge_transverse"));
-    let bending = value("ujoint.hinge_bending");
+    let (axial, twist) = (value(&HingeAxial::SPEC), value(&HingeTwist::SPEC));
+    let (normal, total) = (value(&Decomposition::SPEC)[2], value(&HingeTransverse::SPEC));
+    let bending = value(&HingeBending::SPEC);
     for (k, axis) in ["*e_1a", "*e_3b"].into_iter().enumerate() {
         sketch.note(format!(
             "Each hinge of {axis}: along it H = {}; normal to it T = {} of the twisting moment, V = {} of the other axis, and {} normal \

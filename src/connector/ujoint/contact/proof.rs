@@ -3,6 +3,7 @@
 use super::{ContactMomentPair, ContactMoments, JointLoads};
 use crate::Octuple;
 use crate::connector::ujoint::decomposition::proof::{HardLoads, hard_loads};
+use crate::connector::ujoint::running::{E3B, FORCE, LA, LS, M2, RP, RUNNING};
 use crate::connector::ujoint::{
     Arm, AxialForces, Bending, CentreLoads, CrossForces, CrossLoads, HingeAxial, HingeBending, HingeTransverse,
     TwistFactors,
@@ -127,22 +128,10 @@ pub(crate) fn hard_cases() -> Vec<Case<JointLoads<f64>>> {
     cases
 }
 
-/// The case of the state that the chapter on UJOINT follows from the centre of the cross to the friction in its hinges.
-pub(crate) const RUNNING: &str = "running";
-
-/// That state: sin α = 0.6 and λ = 2, so that every number of the chain has few digits.
-pub(crate) fn running() -> JointLoads<f64> {
-    JointLoads {
-        e3b: Vector3::new(0.0, -0.6, 0.8),
-        f1: -4.4,
-        f2: -4.1,
-        f3: 18.8,
-        m2: 59.36,
-        rp: 1.05,
-        la: 2.1,
-        ls: 2.0,
-        ..hand()
-    }
+/// The state that the chapter follows.
+fn running() -> JointLoads<f64> {
+    let [f1, f2, f3] = FORCE;
+    JointLoads { e3b: E3B, f1, f2, f3, m2: M2, rp: RP, la: LA, ls: LS, ..hand() }
 }
 
 /// The global axes and α = 0: F_axial1 = 20, F_axial3 = 80, F_bend = 16.

@@ -3,7 +3,7 @@
 use super::{Constraint, Jointed, Stop, StopAngles};
 use crate::Octuple;
 use crate::connector::join::{self, Joined};
-use crate::connector::ujoint::contact::proof::{RUNNING, running};
+use crate::connector::ujoint::running::{E3B, RUNNING};
 use crate::connector::universal::{self, Shafts};
 use crate::element::cardan::turns;
 use crate::formula::Formula;
@@ -27,7 +27,7 @@ impl Proved for Constraint {
             Case::hand(
                 RUNNING,
                 "(3, 4, 12) - (2.75, 4.25, 11.5), and the arms perpendicular",
-                Jointed { e3b: running().e3b, d0: Vector3::new(2.75, 4.25, 11.5), ..hand },
+                Jointed { e3b: E3B, d0: Vector3::new(2.75, 4.25, 11.5), ..hand },
             ),
             Case::hand("in-place", "b at (3, 4, 12) and e1a across e3b: no residual", hand),
             Case::hand(

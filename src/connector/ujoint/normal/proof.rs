@@ -1,7 +1,7 @@
 //! Evidence for the formula of the parent module: cases, kinks, laws.
 
 use super::{AllContactMoments, NormalMoments};
-use crate::connector::ujoint::contact::proof::RUNNING;
+use crate::connector::ujoint::running::RUNNING;
 use crate::formula::Formula;
 use crate::formula::proof::{Case, Convention, Kink, Law, Proved, hard, law};
 

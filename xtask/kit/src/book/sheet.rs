@@ -6,30 +6,10 @@ use std::fmt::Write as _;
 use jointproof::catalog::AnyElement;
 use jointproof::formula::Field;
 
-use super::content::{Content, Entry};
+use super::content::{Content, Entry, Sheet};
 use super::worked::{listed as listed_numbers, matrix, numbers};
 use crate::project::Project;
 use crate::uel::{Interface, degrees, is_position, is_rotation, len, places};
-
-/// What a sheet says that does not depend on the formulas that its page names, in Markdown.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct Sheet {
-    /// The identifier of the element.
-    pub(crate) id: String,
-    /// The table of its degrees of freedom and multipliers.
-    degrees: String,
-    /// Whether it holds conditions by multipliers, rotates, and rubs.
-    is_held: bool,
-    rotates: bool,
-    /// The tables of its parameters.
-    parameters: String,
-    /// The parameters of friction and its state; empty if it has none.
-    friction: String,
-    /// One step in numbers.
-    state: String,
-    /// How a program of one's own is checked.
-    check: String,
-}
 
 /// The names of the lists of formulas in the directive, in the order of the sheet.
 const LISTS: [&str; 6] = ["residuals", "rows", "forces", "stiffness", "friction", "rotations"];
@@ -41,8 +21,9 @@ const VELOCITY: &str = "The acceleration equations are $\\mathbf{G}\\,\\ddot{\\m
 const INTERNAL: &str = "A program that assembles internal forces, as [CalculiX](references.md#calculix) does with its user elements, takes $-\\mathbf{f}$ and $-\\mathbf{K}$.";
 const ROWS: &str = "A row is the derivative of a residual with respect to the degrees of freedom. Where a node does not occur, its part is zero.";
 const FORCES: &str = "The forces and moments act on the nodes. They are $\\mathbf{G}^T\\boldsymbol{\\lambda}$, with the rows in $\\mathbf{G}$";
-const STIFFNESS: &str = "The stiffness is the derivative of the forces and moments with respect to the degrees of freedom, with the multipliers held. \
+const STIFFNESS: &str = "The stiffness is the derivative of the forces and moments with respect to the degrees of freedom. \
     $\\mathbf{K}_{p,q}$ has a row for each component of what acts on $p$, and a column for each component of the motion $q$.";
+const HELD_FIXED: &str = "The multipliers are held.";
 const TANGENT: &str = "A friction force $R$ works against a motion $s$ of the connector: it adds $-R\\,\\partial s/\\partial\\mathbf{q}$ to the \
     forces on the nodes, the moment on the first node included. To the stiffness it adds two parts, and one to the derivative with respect to the multipliers:\n\n\
     {{#presentation every golden case and every audited point holds it}}\n\n$$\n\
@@ -104,8 +85,7 @@ fn described(field: &Field) -> String {
 /// The degrees of freedom with what acts on them, then the multipliers with their residuals.
 fn table_of_degrees(interface: &Interface) -> String {
     let Interface { layout, mcrd, nodes, .. } = interface;
-    let mut text =
-        "| | unknown | what acts on it; of a multiplier, its residual | in a `UEL` |\n|---|---|---|---|\n".to_owned();
+    let mut text = "| | unknown | force or residual | in a `UEL` |\n|---|---|---|---|\n".to_owned();
     let mut at = 1;
     let mut row = |[one, other]: [&Field; 2], place: String| {
         let numbers = range(at, one.len());
@@ -194,7 +174,8 @@ fn blocks(
         }
         first += height;
     }
-    shown.join(" \u{2003} ")
+    // They wrap, and scroll where one is wider than a phone.
+    format!("\n\n<div class=\"table-wrapper\" tabindex=\"0\">\n\n{}\n\n</div>", shown.join(" \u{2003} "))
 }
 
 /// The results of a case: residuals, rows, forces, stiffness, forces by multipliers, and the state after.
@@ -228,6 +209,9 @@ const SHORT: &str = "turned";
 /// The largest size of a number that is easily read.
 const LARGE: f64 = 1e4;
 
+/// A smaller number is 0 but for rounding.
+const ROUNDING: f64 = 1e-12;
+
 /// One of the cases with short numbers; of these, or else of all, the one with the fewest zeros and the shortest numbers.
 fn state(element: &dyn AnyElement) -> Option<String> {
     let layout = element.layout();
@@ -235,7 +219,8 @@ fn state(element: &dyn AnyElement) -> Option<String> {
     let motions: Vec<_> = layout.unknowns.iter().map(|field| (index(field), field.len())).collect();
     let k = |p: &str, q: &str| format!(r"\mathbf{{K}}_{{{p},{q}}} = ");
     let valid = element.cases(rubs, 0).into_iter().filter_map(|case| {
-        let results = element.value(&case.inputs, rubs).ok()?;
+        let mut results = element.value(&case.inputs, rubs).ok()?;
+        results.iter_mut().filter(|x| x.abs() < ROUNDING).for_each(|x| *x = 0.0);
         let stiffness = blocks(Results::new(element, &results).stiffness, &motions, &motions, k);
         let zeros = results.iter().filter(|x| **x == 0.0).count();
         let is_large = results.iter().any(|x| x.abs() > LARGE);
@@ -381,7 +366,7 @@ impl Sheet {
             sections.push(section("Rows", &[ROWS, rows]));
         }
         sections.push(section("Nodal forces", &[held(&forces_are), forces]));
-        sections.push(section("Stiffness", &[STIFFNESS, stiffness]));
+        sections.push(section("Stiffness", &[STIFFNESS, held(HELD_FIXED), stiffness]));
         if rubs {
             sections.push(section("Friction", &[&self.friction, friction, held(TANGENT)]));
         }
@@ -398,7 +383,37 @@ impl Sheet {
         }
         sections.push(section("One state in numbers", &[&self.state]));
         let files = format!("{{{{#downloads {}}}}}", self.id);
-        sections.push(section("Files, and a check of your own", &[&files, &self.check]));
+        sections.push(section("Files", &[&files, &self.check]));
         sections.concat()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use jointproof::catalog::{CATALOG, ELEMENTS};
+
+    #[test]
+    fn blocks_of_zeros_are_left_out() {
+        let fields = |names: [(&str, usize); 2]| names.map(|(name, len)| (name.to_owned(), len));
+        let (rows, columns) = (fields([("a", 1), ("b", 1)]), fields([("p", 2), ("q", 1)]));
+        let shown = blocks(&[0.0, 0.0, 3.0, 1.0, 0.0, 0.0], &rows, &columns, |p, q| format!("{p}{q}"));
+        let one = r"$aq\begin{pmatrix} 3 \end{pmatrix}$";
+        let other = r"$bp\begin{pmatrix} 1 & 0 \end{pmatrix}$";
+        assert!(shown.contains(&format!("\n\n{one} \u{2003} {other}\n\n")), "{shown}");
+    }
+
+    /// SLOT's multipliers are those of its two residuals, and UJOINT's first residual is a vector with three.
+    #[test]
+    fn every_element_has_a_sheet_with_a_line_for_each_multiplier() {
+        let project = Project::new("sheets", env!("CARGO_MANIFEST_DIR"), CATALOG);
+        for element in ELEMENTS {
+            let layout = element.layout();
+            let sheet = of(&project, *element).unwrap();
+            let lines = sheet.degrees.lines().count() - 2;
+            assert_eq!(lines, layout.unknowns.len() + layout.multipliers.len(), "{}", sheet.id);
+            assert!(sheet.state.contains("**Stiffness.** \n\n<div"), "{}", sheet.state);
+            assert_eq!(sheet.state.contains("**Velocity term.**"), sheet.is_held);
+        }
     }
 }
