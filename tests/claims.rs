@@ -1,8 +1,8 @@
 //! Claims of the chapters that something depends on nothing else, makes no difference or is symmetric. A chapter names the
 //! test, and the test quotes the chapter: `verify` compares the words.
 
-use jointproof::catalog::find;
-use nalgebra::{Matrix3, Matrix4, Quaternion, Rotation3, SMatrix, UnitQuaternion, Vector3, Vector4};
+use jointproof::catalog::{ELEMENTS, find};
+use nalgebra::{Matrix3, Matrix4, Quaternion, Rotation3, SMatrix, SVector, UnitQuaternion, Vector3, Vector4};
 
 /// Value and Jacobian of a formula, row by row, at the components of its inputs in order.
 fn at(id: &str, point: &[f64]) -> (Vec<f64>, Vec<Vec<f64>>) {
@@ -146,4 +146,71 @@ fn the_stiffness_by_quaternions_is_a_hessian_along_unit_quaternions() {
     let skew = stiffness - stiffness.transpose();
     let keeps = Matrix4::identity() - q * q.transpose();
     assert!((keeps * skew * keeps).amax() < 1e-13 && skew.amax() > 0.1, "{skew}");
+}
+
+/// The stiffness of a SLOT at a pose along no axis, with these parameters and this state of friction, and its last friction force.
+fn slot_in_stick(k_stick: f64) -> (SMatrix<f64, 12, 12>, f64) {
+    let nodes =
+        [[0.6, 0.8, 0.0, -0.48, 0.36, 0.8, 0.64, -0.48, 0.6], [0.6, 0.64, -0.48, 0.0, 0.6, 0.8, 0.8, -0.48, 0.36]];
+    let rest = [1.0, 2.0, 3.0, 2.5, 2.25, 4.0, 3.0, -4.0, 0.125, 0.25, -0.5, k_stick, 100.0, 0.25, 0.5, -0.25];
+    let slot = ELEMENTS.iter().find(|element| element.spec().id == "slot").unwrap();
+    let results = slot.value(&[&nodes.concat()[..], &rest].concat(), true).unwrap();
+    let (stiffness, after) = (&results[2 + 24 + 12..][..144], results[results.len() - 1]);
+    (SMatrix::from_row_slice(stiffness), after)
+}
+
+#[test]
+fn a_friction_force_that_turns_with_its_node_has_a_geometric_stiffness() {
+    // Besides $k_{\mathrm{stick}}$, the matrix has the geometric stiffness of the friction force itself, in stick as in slip.
+    let (e, d) = (Vector3::new(0.6, 0.8, 0.0), Vector3::new(1.5, 0.25, 1.0));
+    let turning = e.cross(&d);
+    let along: SVector<f64, 12> =
+        SVector::from_iterator((-e).iter().chain(&turning).chain(&e).chain(&[0.0; 3]).copied());
+    let (with, force) = slot_in_stick(0.5);
+    let (without, force_before) = slot_in_stick(1e-300);
+    let own = with - without + along * along.transpose() * 0.5;
+    // The rest is what the forces along e1a add when a turns: a force of −f1 e1a on b, and of f1 e1a on a.
+    let change = (force - force_before) * e.cross_matrix();
+    assert!((own.fixed_view::<3, 3>(0, 3) - change.map(|x| -x)).amax() < 1e-14, "{own}");
+    assert!(own.amax() > 0.1 && (force - force_before).abs() > 0.1);
+}
+
+#[test]
+fn forces_of_a_contact_are_those_on_a_segment() {
+    // Both formulas refuse a coordinate beyond the ends of the segment.
+    for (id, nodes) in [
+        ("slide_line.nodal_forces_linear", vec![1.0, 2.0, 5.0, -1.0]),
+        ("slide_line.nodal_forces_parabolic", vec![1.0, 2.0, 3.0, 0.5, 5.0, -1.0]),
+    ] {
+        let at = |g: f64| find(id).unwrap().value_and_closed_jacobian(&[&nodes[..], &[g, 2.0, 5.0, -3.0]].concat());
+        assert!([-1.0, 0.5, 1.0].iter().all(|&g| at(g).is_ok()), "{id}");
+        assert!([-1.5, 1.0_f64.next_up(), 2.0].iter().all(|&g| at(g).is_err()), "{id}");
+    }
+}
+
+#[test]
+fn in_the_plane_one_condition_of_a_slider_holds_for_every_point() {
+    // The *first* condition is satisfied automatically where n2 ≠ 0; it is the second only for a line along the 1-axis.
+    for (end, always) in [([3.0, 4.0, 0.0], 0), ([0.0, -2.0, 0.0], 0), ([-5.0, 1e-9, 0.0], 0), ([2.0, 0.0, 0.0], 1)] {
+        for beside in [[1.0, 5.0, 0.0], [-2.0, 0.5, 0.0]] {
+            let residuals = value("slider.constraint", &[[0.0; 3], end, beside].concat());
+            assert!(residuals[always] == 0.0 && residuals[1 - always] != 0.0, "{end:?}: {residuals:?}");
+        }
+    }
+}
+
+#[test]
+fn some_formulas_are_faster_than_a_copy_of_their_results() {
+    // A formula with a structured Jacobian can be faster than copying, since it does not write the zeros.
+    let report = include_str!("../book/report.json");
+    let median = |text: &str, name: &str| -> Option<f64> {
+        text.split_once(name)?.1.split_once("\"median\":")?.1.split([',', '}']).next()?.parse().ok()
+    };
+    let is_faster = |line: &&str| {
+        let closed = line.split_once("\"id\":\"closed\"").and_then(|(_, rest)| median(rest, "\"jacobian\":"));
+        median(line, "\"copy\":").zip(closed).is_some_and(|(copy, closed)| closed < copy)
+    };
+    let measured = report.lines().filter(|line| line.contains("\"copy\":")).count();
+    let faster = report.lines().filter(is_faster).count();
+    assert!(faster > 0 && faster < measured, "{faster} of {measured}");
 }

@@ -32,6 +32,8 @@ mod hinge;
 mod kinematics;
 mod loads;
 mod normal;
+#[cfg(feature = "verify")]
+mod running;
 #[cfg(feature = "scene")]
 pub(crate) mod table;
 

@@ -1,7 +1,7 @@
 //! Generated content of this project's book besides entries: figures of the connectors, output of scenes, the worked
 //! examples of an audit and of a check, and the statements of the documents.
 
-use crate::studies::agreement;
+use crate::studies::{agreement, derivatives};
 use crate::{figures, museum, scene, statements, worked_check, worked_example};
 use jointproof::toolkit::verify::Audit;
 use judge::audited;
@@ -13,8 +13,15 @@ pub(crate) fn all(project: &Project) -> anyhow::Result<Extras> {
     Ok(Extras {
         figures: [figures::all(), scene::figures(project)?].concat(),
         moving: figures::moving(),
-        outputs: [vec![audit], worked_check::outputs()?, figures::outputs(), scene::outputs(project)?].concat(),
-        tables: [scene::tables(), scene::plans(project)?, agreement::tables(project)?].concat(),
+        outputs: [
+            vec![audit, derivatives::output()?],
+            worked_check::outputs()?,
+            figures::outputs(),
+            scene::outputs(project)?,
+        ]
+        .concat(),
+        tables: [scene::tables(), scene::plans(project)?, agreement::tables(project)?, vec![derivatives::table()]]
+            .concat(),
         texts: [statements::book::texts(project)?, vec![("museum".to_owned(), museum::chapter()?)]].concat(),
         facts: statements::book::facts(project)?,
         served: scene::served(),

@@ -2,5 +2,6 @@
 
 pub(crate) mod agreement;
 pub(crate) mod arm_models;
+pub(crate) mod derivatives;
 pub(crate) mod near_right_angle;
 pub(crate) mod routes;

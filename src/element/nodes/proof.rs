@@ -8,6 +8,8 @@ use nalgebra::Vector3;
 /// Poses computed by hand, then hard ones.
 pub(crate) fn poses() -> [Hard<Nodes<f64>>; 8] {
     let [global, other] = [turned([1.0, 0.0, 0.0, 0.0]), triad()];
+    // Components of few digits: 0.6, 0.8, 0.48, 0.64, 0.36.
+    let [a, b] = [[4.0, 2.0, 1.0, 2.0], [4.0, 2.0, 2.0, 1.0]].map(turned);
     let near = Vector3::new(0.75, -0.5, 0.4375);
     let place = |x: f64| Vector3::new(x, -x, x);
     let turn = |w: f64, x: f64, y: f64, z: f64| turned([w, x, y, z]);
@@ -19,8 +21,8 @@ pub(crate) fn poses() -> [Hard<Nodes<f64>>; 8] {
         ),
         Hard::new(
             "turned",
-            "a away from every axis, b turned about all of its own",
-            Nodes::new([other, turn(8.0, 1.0, -2.0, 3.0)], [Vector3::new(1.0, 2.0, 3.0), Vector3::new(2.5, 2.25, 4.0)]),
+            "both nodes away from the axes, with components of few digits",
+            Nodes::new([a, b], [Vector3::new(1.0, 2.0, 3.0), Vector3::new(2.5, 2.25, 4.0)]),
         ),
         Hard::new("coincident", "both nodes at one place", Nodes::new([other, turn(8.0, 1.0, -2.0, 3.0)], [near; 2])),
         Hard::new(

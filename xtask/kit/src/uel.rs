@@ -69,3 +69,23 @@ pub(crate) fn is_position(field: &Field) -> bool {
 pub(crate) fn is_rotation(field: &Field) -> bool {
     field.name.starts_with('t')
 }
+
+/// The place of each field in an array, from this place on.
+pub(crate) fn places(fields: &'static [Field], mut from: usize) -> Vec<(String, &'static Field)> {
+    let place = |field: &'static Field| {
+        let to = from + field.len() - 1;
+        let range = if to > from { format!("{from}-{to}") } else { from.to_string() };
+        from = to + 1;
+        (range, field)
+    };
+    fields.iter().map(place).collect()
+}
+
+/// The degrees of freedom of Abaqus: 1-3 are translations, 4-6 rotations.
+pub(crate) fn degrees(unknown: &Field, mcrd: usize) -> Vec<usize> {
+    match (is_rotation(unknown), mcrd) {
+        (false, mcrd) => (1..=mcrd).collect(),
+        (true, 3) => vec![4, 5, 6],
+        (true, _) => vec![6],
+    }
+}

@@ -2,6 +2,7 @@
 
 mod arm;
 mod cardan;
+mod cross_loads;
 mod mechanism;
 mod newton;
 mod signs;
@@ -29,7 +30,8 @@ pub(crate) fn all() -> Vec<(String, String)> {
     ];
     charts.extend(slider::charts());
     let charts = charts.iter().map(|chart| (chart.name.to_owned(), chart.svg()));
-    charts.chain([(signs::NAME.to_owned(), signs::svg())]).collect()
+    let drawn = [(signs::NAME, signs::svg()), (cross_loads::NAME, cross_loads::html())];
+    charts.chain(drawn.map(|(name, html)| (name.to_owned(), html))).collect()
 }
 
 /// Every animated figure.

@@ -20,6 +20,7 @@ mod graph;
 mod ids;
 mod import;
 mod inline;
+mod language;
 mod layers;
 mod lengths;
 mod programs;
@@ -76,6 +77,8 @@ enum Rule {
     Lengths,
     /// Every file of tests belongs to a program
     Tests,
+    /// Chapters are in the words of the field
+    Language,
 }
 
 pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
@@ -134,6 +137,7 @@ fn check(root: &Path, formulas: &[&str], rules: &[Rule]) -> anyhow::Result<Tidin
         (Rule::Directives, kit::uncovered(root, formulas)?.into_iter().map(Finding::from).collect()),
         (Rule::Lengths, too_long),
         (Rule::Tests, programs::forgotten(root, &tree)?),
+        (Rule::Language, language::foreign(root)?),
     ];
     let wanted = found.into_iter().filter(|(rule, _)| rules.is_empty() || rules.contains(rule));
     findings.extend(wanted.flat_map(|(_, found)| found));

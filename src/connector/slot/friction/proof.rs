@@ -44,9 +44,9 @@ impl Proved for ContactForce {
 
 impl Proved for NormalForce {
     fn cases() -> Vec<Case<ContactForces<f64>>> {
-        let hand = ContactForces { fc: 5.0, fc_int: 2.0 };
+        let hand = ContactForces { fc: 5.0, fc_int: 1.0 };
         vec![
-            Case::hand("press-fit", "5 + 2", hand),
+            Case::hand("press-fit", "5 + 1", hand),
             Case::hand(
                 "tension",
                 "|5 - 9| = 4: an internal force against the contact force",

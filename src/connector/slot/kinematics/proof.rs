@@ -49,14 +49,14 @@ impl Proved for Constraint {
         let hand = SlotPositions {
             e2a: Vector3::y(),
             e3a: Vector3::z(),
-            xa: Vector3::zeros(),
-            xb: Vector3::new(7.0, 2.0, -3.0),
-            y0: 2.0,
-            z0: -3.0,
+            xa: Vector3::new(1.0, 2.0, 3.0),
+            xb: Vector3::new(4.0, 6.0, 15.0),
+            y0: 4.0,
+            z0: 12.0,
         };
         let mut cases = vec![
             Case::hand("on-the-slot", "b at (y0, z0): both residuals vanish", hand),
-            Case::hand("off-the-slot", "y - y0 = 2 - 5, z - z0 = -3 - 1", SlotPositions { y0: 5.0, z0: 1.0, ..hand }),
+            Case::hand("off-the-slot", "y - y0 = 4 - 5, z - z0 = 12 - 10", SlotPositions { y0: 5.0, z0: 10.0, ..hand }),
         ];
         cases.extend(hard::places().into_iter().map(|place| {
             let [xa, xb] = place.value;
@@ -141,10 +141,10 @@ impl Proved for ConstraintForce {
 
 impl Proved for RelativeMotion {
     fn cases() -> Vec<Case<SlotLengths<f64>>> {
-        let hand = SlotLengths { x: 5.0, x0: 2.0, l1_ref: 1.5 };
+        let hand = SlotLengths { x: 3.0, x0: 1.0, l1_ref: 0.5 };
         vec![
-            Case::hand("extended", "u1 = 5 - 2, u1_mat = 5 - 1.5", hand),
-            Case::hand("start", "no displacement at the start", SlotLengths { x: 2.0, ..hand }),
+            Case::hand("extended", "u1 = 3 - 1, u1_mat = 3 - 0.5", hand),
+            Case::hand("start", "no displacement at the start", SlotLengths { x: 1.0, ..hand }),
             Case::hard(
                 "far",
                 "lengths of 1e12 that differ by 1",

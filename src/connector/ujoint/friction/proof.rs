@@ -20,17 +20,18 @@ impl Proved for Friction {
             inputs: FrictionLoads::of(case.inputs, rest),
         };
         let mut cases: Vec<_> = hard_cases().into_iter().map(of).collect();
-        if let Some(hand) = cases.first().map(|case| case.inputs) {
-            cases.extend([
-                Case::hand("frictionless", "μ = 0: Φ = |m|", FrictionLoads { mu: 0.0, ..hand }),
-                Case::hand("no-press-fit", "no internal moments", FrictionLoads { mc1_int: 0.0, mc3_int: 0.0, ..hand }),
-                Case::hard(
-                    "no-moment",
-                    "m1 = m3 = 0: derivative 0 by convention",
-                    FrictionLoads { m1: 0.0, m3: 0.0, ..hand },
-                ),
-            ]);
-        }
+        let [running, hand] = [cases[0].inputs, cases[1].inputs];
+        cases[0].inputs = FrictionLoads { m1: -5.0, m3: 9.0, ..running };
+        cases[0].comment = "5 - 28.8425/4 sticks, 9 - 33.661/4 cannot be transmitted";
+        cases.extend([
+            Case::hand("frictionless", "μ = 0: Φ = |m|", FrictionLoads { mu: 0.0, ..hand }),
+            Case::hand("no-press-fit", "no internal moments", FrictionLoads { mc1_int: 0.0, mc3_int: 0.0, ..hand }),
+            Case::hard(
+                "no-moment",
+                "m1 = m3 = 0: derivative 0 by convention",
+                FrictionLoads { m1: 0.0, m3: 0.0, ..hand },
+            ),
+        ]);
         cases
     }
 

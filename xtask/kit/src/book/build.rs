@@ -20,7 +20,8 @@ use super::fault::Faults;
 use super::output::write;
 use super::preprocessor::Formulary;
 use super::theme::{SHEETS, Theme};
-use super::{downloads, links, mend, moving, permalinks, search, source};
+use super::{downloads, links, mend, moving, permalinks, search, source, speed};
+use crate::report::spread;
 
 /// The age up to which the partial folder of another run is left alone, in case that run is still going.
 const STALE: Duration = Duration::from_mins(10);
@@ -112,6 +113,9 @@ fn finish(root: &Path, theme: &Path, out: &Path, title: &str, content: &Content,
     }
     for download in &content.downloads {
         write(&out.join(downloads::FOLDER).join(&download.name), download.text.as_bytes())?;
+    }
+    if let Some(report) = &content.report {
+        write(&out.join(downloads::FOLDER).join(speed::CSV), spread::csv(report).as_bytes())?;
     }
     for (path, text) in calculator::files(&content.entries) {
         write(&out.join(path), text.as_bytes())?;

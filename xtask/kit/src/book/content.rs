@@ -27,6 +27,8 @@ pub(crate) struct Content {
     pub(crate) is_current: bool,
     /// Golden files to be copied next to the pages.
     pub(crate) golden: Vec<GoldenFile>,
+    /// The sheets of the elements.
+    pub(crate) sheets: Vec<Sheet>,
     /// Formulas and elements in other languages.
     pub(crate) downloads: Vec<Download>,
     /// The data for citing entries.
@@ -71,6 +73,26 @@ pub(crate) struct GoldenFile {
     pub(crate) name: String,
     /// The bytes of the file.
     pub(crate) bytes: Vec<u8>,
+}
+
+/// What the sheet of an element says apart from the equations of the formulas that its page names, in Markdown.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Sheet {
+    /// The identifier of the element.
+    pub(crate) id: String,
+    /// The table of its degrees of freedom and multipliers.
+    pub(crate) degrees: String,
+    /// Whether it holds conditions by multipliers, rotates, and rubs.
+    pub(crate) is_held: bool,
+    pub(crate) rotates: bool,
+    /// The tables of its parameters.
+    pub(crate) parameters: String,
+    /// The parameters of friction and its state; empty if it has none.
+    pub(crate) friction: String,
+    /// One step in numbers.
+    pub(crate) state: String,
+    /// How a program of one's own is checked.
+    pub(crate) check: String,
 }
 
 /// One documented formula.

@@ -19,8 +19,12 @@ pub(crate) fn of(pages: &Pages<'_>, at: &Place, id: &str, is_element: bool) -> S
 
 /// `{{#downloads}}`: the files of every element.
 pub(crate) fn table_of_elements(pages: &Pages<'_>, at: &Place) -> String {
-    let mut ids: Vec<_> = pages.content.downloads.iter().filter(|file| file.is_element).map(|file| file.id).collect();
-    ids.dedup();
+    let mut ids: Vec<&str> = Vec::new();
+    for file in pages.content.downloads.iter().filter(|file| file.is_element) {
+        if !ids.contains(&file.id) {
+            ids.push(file.id);
+        }
+    }
     let rows = each(ids, |id| row(&[("", format!("<code>{}</code>", escape(id))), ("wide", of(pages, at, id, true))]));
     table("downloads", &["Element", "Files"], &rows)
 }

@@ -5,6 +5,7 @@ use super::content::{
     self, Calculator, Cited, CodeSpan, Content, Entry, GoldenCounts, GoldenFile, Kink, SourceFile, Symbol,
 };
 use super::locate::Index;
+use super::sheet;
 use super::worked;
 use crate::evidence::Evidence;
 use crate::export;
@@ -46,6 +47,13 @@ pub(crate) fn content(project: &Project, report: Option<Report>) -> anyhow::Resu
             golden.push(GoldenFile { name: format!("{}.json", formula.spec().id), bytes });
         }
     }
+    for element in project.elements() {
+        let name = format!("elements/{}.json", element.spec().id);
+        if let Ok(bytes) = std::fs::read(project.golden().join(&name)) {
+            golden.push(GoldenFile { name, bytes });
+        }
+    }
+    let sheets = project.elements().par_iter().filter_map(|element| sheet::of(project, *element)).collect();
     let mut extras = project.extension.extras.map(|extras| extras(project)).transpose()?.unwrap_or_default();
     for (_, text) in &mut extras.outputs {
         *text = plain(text);
@@ -53,7 +61,7 @@ pub(crate) fn content(project: &Project, report: Option<Report>) -> anyhow::Resu
     let is_current = report.as_ref().is_some_and(|report| report.is_current(project));
     let cited = cited(project);
     let downloads = export::downloads(project);
-    Ok(Content { entries, sources, catalog_tests, extras, report, is_current, golden, downloads, cited })
+    Ok(Content { entries, sources, catalog_tests, extras, report, is_current, golden, sheets, downloads, cited })
 }
 
 /// Text without colours.

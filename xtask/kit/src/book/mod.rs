@@ -29,6 +29,7 @@ mod preprocessor;
 pub(crate) mod prose;
 mod rust;
 mod search;
+mod sheet;
 mod source;
 mod speed;
 mod tables;

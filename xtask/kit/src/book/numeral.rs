@@ -64,7 +64,7 @@ pub(crate) fn unshown(chapter: &str) -> Vec<(usize, &'static str)> {
 }
 
 /// Words of such claims.
-const CLAIMS: [&str; 7] = [
+const CLAIMS: [&str; 11] = [
     "not depend on",
     "depend only on",
     "depends only on",
@@ -72,6 +72,10 @@ const CLAIMS: [&str; 7] = [
     "is symmetric",
     "are symmetric",
     "is independent of",
+    "lower bound",
+    "upper bound",
+    "satisfied automatically",
+    "beyond the ends of",
 ];
 
 /// Digits with a point between them, and digits before a percent sign.

@@ -14,7 +14,8 @@ use super::html::escape;
 use super::markdown::{Found, Piece, scan};
 use super::pages::{Pages, Place};
 use super::prose::{self, Mark};
-use super::{downloads, entry, figure, numeral, speed, tables};
+use super::sheet::Half;
+use super::{downloads, entry, figure, numeral, sheet, speed, tables};
 
 /// Expands chapters; see the module.
 pub(crate) struct Formulary {
@@ -106,6 +107,8 @@ impl Formulary {
             ("accuracy", "") => tables::accuracy(pages, at),
             ("sources", "") => tables::sources(pages, at),
             ("downloads", "") => downloads::table_of_elements(pages, at),
+            ("downloads", element) => downloads::of(pages, at, element, true),
+            ("element" | "element-in-numbers", argument) => no_sheet(pages, at, argument),
             ("speed", part) => speed::part(pages, at, part).unwrap_or_else(|| unknown(pages, at, name, argument)),
             ("table", name) => tables::named(pages, at, name),
             _ => unknown(pages, at, name, argument),
@@ -123,16 +126,18 @@ impl Formulary {
     }
 }
 
-/// The chapter with `{{#text name}}` replaced by the Markdown with this name, which is then treated as part of it.
+/// The chapter with `{{#text name}}` and the sheets of elements replaced by Markdown, which is then treated as part of it.
 fn with_texts(content: &Content, chapter: &str) -> String {
     let mut out = String::new();
     let mut done = 0;
     for Found { piece, range, .. } in scan(chapter).0 {
-        if let Piece::Directive { name, argument } = piece
-            && name == "text"
-            && let Some((_, text)) = content.extras.texts.iter().find(|(known, _)| *known == argument)
-        {
-            out.extend([&chapter[done..range.start], text]);
+        let Piece::Directive { name, argument } = piece else { continue };
+        let text = match &*name {
+            "text" => content.extras.texts.iter().find(|(known, _)| *known == argument).map(|(_, text)| text.clone()),
+            name => Half::of(name).and_then(|half| sheet::markdown(content, half, &argument).ok()),
+        };
+        if let Some(text) = text {
+            out.extend([&chapter[done..range.start], &text]);
             done = range.end;
         }
     }
@@ -161,10 +166,18 @@ fn no_text(pages: &Pages<'_>, at: &Place, name: &str) -> String {
     String::new()
 }
 
+/// An empty text, and a fault: sheets of elements were inserted before.
+fn no_sheet(pages: &Pages<'_>, at: &Place, argument: &str) -> String {
+    if let Err(message) = sheet::markdown(pages.content, Half::Equations, argument) {
+        pages.fault(at, message);
+    }
+    String::new()
+}
+
 /// An empty text, and a fault.
 fn unknown(pages: &Pages<'_>, at: &Place, name: &str, argument: &str) -> String {
     let known = format!(
-        "formula ID, equation ID, presentation WHY, figure NAME, output NAME, table NAME, text NAME, symbols, kinks, evidence, accuracy, sources, {}",
+        "formula ID, equation ID, presentation WHY, figure NAME, output NAME, table NAME, text NAME, element ID, downloads, symbols, kinks, evidence, accuracy, sources, {}",
         speed::PARTS
     );
     let written = format!("{name} {argument}");

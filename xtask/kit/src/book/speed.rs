@@ -1,12 +1,13 @@
 //! Speed and error: the part of an entry about the last report, and the parts of the chapter.
 
 use super::content::Entry;
-use super::html::{each, escape, number, row, table};
+use super::downloads;
+use super::html::{each, escape, number, relative, row, table};
 use super::pages::{Pages, Place};
 use crate::report::data::Report;
 use crate::report::tables::{duration, spread, step};
 use crate::report::verdict::Verdict;
-use crate::report::{plot, price};
+use crate::report::{plot, price, spread};
 use jointproof::toolkit::measure::{Errors, Figures, Measurement, MethodFigures, Scheme, Time};
 
 /// The folded part of an entry.
@@ -73,13 +74,14 @@ fn worst(errors: Option<&Errors>) -> String {
 }
 
 /// The parts of the chapter, by the argument of `{{#speed …}}`; a family may follow, as in `{{#speed own slider}}`.
-pub(crate) const PARTS: &str =
-    "speed about, speed verdict, speed overviews, speed table, speed differences and speed own";
+pub(crate) const PARTS: &str = "speed all, speed methods, speed about, speed verdict, speed overviews, speed table, speed differences and speed own";
 
 /// One part of the chapter, for all formulas or for a family; `None` if there is no such part.
 pub(crate) fn part(pages: &Pages<'_>, at: &Place, argument: &str) -> Option<String> {
     let (name, family) = argument.split_once(' ').unwrap_or((argument, ""));
     let part: fn(&Pages<'_>, &Place, &Report) -> String = match name {
+        "all" => all,
+        "methods" => |_, _, report| every_method(report),
         "about" => |pages, _, report| about(report, pages.content.is_current),
         "verdict" => verdict,
         "overviews" => |pages, _, report| overviews(pages, report),
@@ -93,6 +95,42 @@ pub(crate) fn part(pages: &Pages<'_>, at: &Place, argument: &str) -> Option<Stri
         Some(report) => part(pages, at, &report.of_family(family)),
         None => "<p class=\"missing\">Not measured; run the command <code>report</code>.</p>".into(),
     })
+}
+
+/// The name of the report as a table of numbers, among the downloads.
+pub(crate) const CSV: &str = "speed.csv";
+
+/// The picture above in numbers: medians over the formulas, and of time and error a tenth and nine tenths.
+fn every_method(report: &Report) -> String {
+    let range = |[low, middle, high]: spread::Quantiles| {
+        format!("<b>{}</b><br>{} to {}", number(middle), number(low), number(high))
+    };
+    let rows = each(spread::spreads(report), |spread| {
+        row(&[
+            ("", escape(&spread.title)),
+            ("figure", spread.evaluations.into()),
+            ("figure", number(spread.times[1])),
+            ("figure", range(spread.ratios)),
+            ("figure", number(spread.each[1])),
+            ("figure", range(spread.errors)),
+        ])
+    });
+    let head =
+        ["Method", "Evaluations", "Time, ns", "Closed form = 1", "For each evaluation, value = 1", "Relative error"];
+    table("speed", &head, &rows)
+}
+
+/// The picture of all methods over all formulas.
+fn all(pages: &Pages<'_>, at: &Place, report: &Report) -> String {
+    let picture = plot::all(&spread::spreads(report));
+    let picture = pages.later.keep(&format!("<div class=\"plots wide\">{picture}</div>"), "");
+    let data = escape(&relative(&at.page, &format!("{}/{CSV}", downloads::FOLDER)));
+    format!(
+        "<figure id=\"speed-all\">{picture}<figcaption>Every method over all {} formulas: a mark at the medians of time and \
+         error, bars from a tenth of the formulas to nine tenths, a dot for each formula. \
+         <a href=\"{data}\" download>The data (CSV)</a>.</figcaption></figure>",
+        report.formulas.len()
+    )
 }
 
 /// When and where the report was made.

@@ -10,6 +10,9 @@ use super::content::Worked;
 /// Significant digits shown.
 const DIGITS: usize = 6;
 
+/// Of the entries of a matrix.
+const DIGITS_OF_ENTRIES: usize = 4;
+
 /// The largest number of outputs shown.
 const OUTPUTS: usize = 4;
 
@@ -22,8 +25,11 @@ const FEW: usize = 5;
 /// Up to this number of components, all inputs are shown; beyond, only those that are not 0.
 const ALL: usize = 9;
 
-/// Selects a valid case, with derivatives if they are in closed form: preferably without an output of 0, worked by
-/// hand, and with few inputs of 0; among these the shortest.
+/// The case of the state that a chapter follows from entry to entry.
+const RUNNING: &str = "running";
+
+/// Selects a valid case, with derivatives if they are in closed form: that of the running state of its chapter; else preferably
+/// without an output of 0, worked by hand, and with few inputs of 0; among these the shortest.
 pub(crate) fn of(formula: &dyn AnyFormula, golden: &File) -> Option<Worked> {
     let [inputs, outputs] = [formula.inputs(), formula.outputs()];
     let shown = |case: &Record| {
@@ -42,7 +48,7 @@ pub(crate) fn of(formula: &dyn AnyFormula, golden: &File) -> Option<Worked> {
             .map(|parts| parts.concat().len())
             .iter()
             .sum::<usize>();
-        Some(((is_zero, !case.flags.contains(&Flag::Hand), zeros, length), worked))
+        Some(((case.id != RUNNING, is_zero, !case.flags.contains(&Flag::Hand), zeros, length), worked))
     };
     golden.cases.iter().filter_map(shown).min_by_key(|(rank, _)| *rank).map(|(_, worked)| worked)
 }
@@ -78,7 +84,7 @@ fn first(mut texts: Vec<String>) -> Vec<String> {
 }
 
 /// `$f_2 = 3$` for each field.
-fn numbers(fields: &[Field], components: &[f64]) -> Vec<String> {
+pub(crate) fn numbers(fields: &[Field], components: &[f64]) -> Vec<String> {
     let mut at = 0;
     let one = |field: &Field| {
         let part = &components[at..at + field.len()];
@@ -88,9 +94,7 @@ fn numbers(fields: &[Field], components: &[f64]) -> Vec<String> {
         match &*numbers {
             [one] => format!("${latex} {sign} {one}$"),
             // Plain text, in which lines may break.
-            several => {
-                format!("${latex} {sign}$ ({})", several.iter().map(|text| plain(text)).collect::<Vec<_>>().join(", "))
-            }
+            several => format!("${latex} {sign}$ {}", in_brackets(several)),
         }
     };
     fields.iter().map(one).collect()
@@ -107,12 +111,31 @@ fn plain(latex: &str) -> String {
     if latex.contains('^') { format!("${latex}$") } else { latex.replace('-', "−") }
 }
 
+/// Numbers in brackets, rounded to few digits.
+pub(crate) fn listed(numbers: &[f64]) -> String {
+    in_brackets(&digits(numbers).1)
+}
+
+fn in_brackets(numbers: &[String]) -> String {
+    format!("({})", numbers.iter().map(|text| plain(text)).collect::<Vec<_>>().join(", "))
+}
+
+/// A matrix in LaTeX, rounded to few digits.
+pub(crate) fn matrix(rows: &[Vec<f64>]) -> String {
+    let row = |row: &Vec<f64>| row.iter().map(|&x| to_digits(x, DIGITS_OF_ENTRIES).0).collect::<Vec<_>>().join(" & ");
+    format!(r"\begin{{pmatrix}} {} \end{{pmatrix}}", rows.iter().map(row).collect::<Vec<_>>().join(r" \\ "))
+}
+
 /// A number in LaTeX with few digits, and the value of those digits.
 fn short(x: f64) -> (String, f64) {
-    let text = format!("{x:.*e}", DIGITS - 1);
+    to_digits(x, DIGITS)
+}
+
+fn to_digits(x: f64, digits: usize) -> (String, f64) {
+    let text = format!("{x:.*e}", digits - 1);
     let rounded: f64 = text.parse().unwrap_or(x);
     let plain = format!("{}", rounded + 0.0);
-    if plain.len() <= DIGITS + 4 {
+    if plain.len() <= digits + 4 {
         return (plain, rounded);
     }
     let text = format!("{rounded:e}");

@@ -3,11 +3,12 @@
 use super::c::{self, C};
 use super::fortran;
 use super::javascript::{self, JavaScript};
-use super::language::{File, files_of};
+use super::language::{self, files_of};
 use super::numpy;
 use super::recorded::{Recorded, Subject, record};
-use super::shell::in_order;
+use super::shell::{self, File, Shell, in_order};
 use crate::project::Project;
+use jointproof::catalog::AnyElement;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
 /// A file of a formula or an element.
@@ -28,7 +29,21 @@ pub(crate) fn downloads(project: &Project) -> Vec<Download> {
     let elements = project.elements().iter().flat_map(|&element| Subject::forms(element));
     let subjects: Vec<_> = formulas.chain(elements).collect();
     let (recorded, _) = record(&subjects, Some(project));
-    recorded.par_iter().flat_map_iter(of).collect()
+    let elements = project.elements().iter().map(|element| (Shell::Uel, Some(element)));
+    let shells: Vec<_> = elements.chain([(Shell::Fric, None), (Shell::Mpc, None)]).collect();
+    let routines = shells.par_iter().flat_map_iter(|&(shell, element)| routine(project, shell, element));
+    routines.chain(recorded.par_iter().flat_map_iter(of)).collect()
+}
+
+/// A user routine of Abaqus in both forms of Fortran; none if it cannot be exported.
+fn routine(project: &Project, shell: Shell, element: Option<&&'static dyn AnyElement>) -> Vec<Download> {
+    let elements: Vec<_> = element.copied().into_iter().collect();
+    let download = |is_fixed| {
+        let File { of, name, text } = shell::file(project, shell, &elements, is_fixed).ok()?;
+        let label = format!("{}{}", shell.routine(), if is_fixed { " in fixed form" } else { "" });
+        Some(Download { id: of, is_element: element.is_some(), label, name, text })
+    };
+    [false, true].into_iter().filter_map(download).collect()
 }
 
 /// The files of one of them, by language.
@@ -71,7 +86,7 @@ fn in_fortran(one: &Recorded) -> String {
 
 /// One module, which exports what the module of the formula or element does.
 fn in_javascript(one: &Recorded) -> String {
-    let mut files: Vec<File> = files_of(&JavaScript, one);
+    let mut files: Vec<language::File> = files_of(&JavaScript, one);
     let source = files.remove(0).1;
     let private = |text: &str| text.replace("\nexport const ", "\nconst ").replace("\nexport function ", "\nfunction ");
     let runtime = private(javascript::RUNTIME).replace("\nfunction refused(", "\nexport function refused(");

@@ -33,11 +33,23 @@ pub(super) enum Shell {
     UmpcUser,
 }
 
+impl Shell {
+    /// The name that a program calls it by.
+    pub(super) fn routine(self) -> &'static str {
+        match self {
+            Self::Uel => "UEL",
+            Self::Fric => "FRIC",
+            Self::Mpc => "MPC",
+        }
+    }
+}
+
 /// Compilers take the rest of the file as free form, whatever its name.
 const FREE_FORM: &str = "!DEC$ FREEFORM\n";
 
-/// A routine: its name, its head, its own text, and the modules that it uses.
+/// A routine: the first formula or element that it calls, its name, its head, its own text, and the modules that it uses.
 struct Routine {
+    of: &'static str,
     name: String,
     head: String,
     text: String,
@@ -55,7 +67,31 @@ pub(super) fn write(
     is_fixed: bool,
     folder: &Path,
 ) -> anyhow::Result<String> {
-    let Routine { name, head, text, modules } = match shell {
+    let File { name, text, .. } = file(project, shell, elements, is_fixed)?;
+    let path = folder.join(name);
+    files::write(&path, &text)?;
+    Ok(format!("{} lines in {}\n", text.lines().count(), path.display()))
+}
+
+/// A file with a routine.
+pub(super) struct File {
+    /// The first formula or element that it calls.
+    pub(super) of: &'static str,
+    pub(super) name: String,
+    pub(super) text: String,
+}
+
+/// A routine in one file.
+///
+/// # Errors
+/// If an element is missing or has no recorded operations.
+pub(super) fn file(
+    project: &Project,
+    shell: Shell,
+    elements: &[&'static dyn AnyElement],
+    is_fixed: bool,
+) -> anyhow::Result<File> {
+    let Routine { of, name, head, text, modules } = match shell {
         Shell::Uel => uel(project, elements)?,
         Shell::Fric => by_hand(project, "fric", include_str!("shell/fric.f90"))?,
         Shell::Mpc => by_hand(project, "mpc", include_str!("shell/mpc.f90"))?,
@@ -70,9 +106,7 @@ pub(super) fn write(
     } else {
         ("f90", [FREE_FORM.into(), head, "\n".into(), code].concat())
     };
-    let path = folder.join(format!("{name}.{extension}"));
-    files::write(&path, &text)?;
-    Ok(format!("{} lines in {}\n", text.lines().count(), path.display()))
+    Ok(File { of, name: format!("{name}.{extension}"), text })
 }
 
 /// A routine around formulas.
@@ -82,10 +116,13 @@ fn by_hand(project: &Project, name: &str, text: &str) -> anyhow::Result<Routine>
     };
     let formulas: Vec<_> = project.catalog().iter().map(|&formula| Subject::Formula(formula)).filter(calls).collect();
     let (recorded, _) = record(&formulas, Some(project));
+    let of = recorded.first().with_context(|| format!("none of the formulas that {name} calls is in the catalog"))?;
+    let of = of.subject.spec().id;
     let uses: Vec<_> = recorded.iter().map(|one| format!("    use jp_{}\n", one.subject.stem())).collect();
     let (head, body) = text.split_once("\nsubroutine ").context("a routine is a routine")?;
     let body = filled(body, &[("axes", include_str!("shell/axes.f90"))]).replace("{uses}", &uses.concat());
     Ok(Routine {
+        of,
         name: name.to_owned(),
         head: format!("{head}\n"),
         text: format!("subroutine {body}"),
@@ -121,7 +158,7 @@ fn uel(project: &Project, elements: &[&'static dyn AnyElement]) -> anyhow::Resul
         format!("select case (jtype)\n{}case default\n    call xit\nend select", cases.concat())
     };
     let text = filled(include_str!("shell/uel_call.f90"), &[("uses", &uses.join("\n")), ("calls", &calls)]);
-    Ok(Routine { name: format!("uel_{}", ids.join("_")), head, text: tidied(&text), modules: all })
+    Ok(Routine { of: ids[0], name: format!("uel_{}", ids.join("_")), head, text: tidied(&text), modules: all })
 }
 
 /// The module with the routine of an element.

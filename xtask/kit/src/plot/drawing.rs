@@ -49,7 +49,7 @@ impl Drawing {
                 pen = 'M';
             }
         }
-        let _ = write!(self.svg, "<path {} d=\"{d}\"/>", (self.look.element)(kind));
+        self.outline(kind, &d);
     }
 
     pub(crate) fn text(&mut self, kind: &str, [x, y]: [f64; 2], text: &str) {
@@ -57,9 +57,14 @@ impl Drawing {
             write!(self.svg, "<text {} x=\"{x:.1}\" y=\"{y:.1}\">{}</text>", (self.look.element)(kind), escape(text));
     }
 
+    /// An outline by its path.
+    pub(crate) fn outline(&mut self, kind: &str, d: &str) {
+        let _ = write!(self.svg, "<path {} d=\"{d}\"/>", (self.look.element)(kind));
+    }
+
     /// An outline, relative to its centre.
     pub(crate) fn mark(&mut self, kind: &str, outline: &str, [x, y]: [f64; 2]) {
-        let _ = write!(self.svg, "<path {} d=\"M{x:.1} {y:.1}{outline}\"/>", (self.look.element)(kind));
+        self.outline(kind, &format!("M{x:.1} {y:.1}{outline}"));
     }
 
     /// The horizontal axis between these ends, with grid lines from `y` up to `top`.

@@ -8,6 +8,7 @@ mod measuring;
 pub(crate) mod pareto;
 pub(crate) mod plot;
 pub(crate) mod price;
+pub(crate) mod spread;
 pub(crate) mod tables;
 pub(crate) mod verdict;
 

@@ -1,6 +1,7 @@
 //! Evidence for the formula of the parent module: cases, kinks, laws.
 
 use super::{AxialForces, HingeAxial};
+use crate::connector::ujoint::running::{LA, PARTS, RP, RUNNING};
 use crate::formula::Formula;
 use crate::formula::proof::{Case, Kink, Law, Proved, hard, law};
 use crate::number::scalar::abs;
@@ -8,7 +9,13 @@ use crate::number::scalar::abs;
 impl Proved for HingeAxial {
     fn cases() -> Vec<Case<AxialForces<f64>>> {
         let hand = AxialForces { f_axial1: -20.0, f_axial3: 10.0, la: 2.0, rp: 1.0 };
+        let [f_axial1, f_axial3, _] = PARTS;
         let mut cases = vec![
+            Case::hand(
+                RUNNING,
+                "0.35 × 4.4, 0.35 × 17.5, 0.15 × 17.5, 0.15 × 4.4",
+                AxialForces { f_axial1, f_axial3, la: LA, rp: RP },
+            ),
             Case::hand("lambda-2", "α = 0.35, β = 0.15: 7, 3.5 along, 1.5, 3 across", hand),
             Case::hard("stubby", "λ → 0: a quarter everywhere", AxialForces { la: 1e-9, ..hand }),
             Case::hard("long", "λ → ∞: half along, nothing across", AxialForces { la: 1e9, ..hand }),

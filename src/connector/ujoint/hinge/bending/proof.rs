@@ -2,6 +2,7 @@
 
 use super::{Bending, HingeBending};
 use crate::connector::ujoint::hinge::HingeTwist;
+use crate::connector::ujoint::running::{LA, LS, M2, PARTS, RP, RUNNING};
 use crate::formula::Formula;
 use crate::formula::proof::{Case, Kink, Law, Proved, hard, law};
 
@@ -9,6 +10,11 @@ impl Proved for HingeBending {
     fn cases() -> Vec<Case<Bending<f64>>> {
         let hand = Bending { f_bend: -8.0, m2: 304.0, la: 44.0, rp: 20.0 / 3.0, ls: 11.0 };
         let mut cases = vec![
+            Case::hand(
+                RUNNING,
+                "8 × 2.1/8, √(2.1² + 2.8²), 2 × 3.5/2",
+                Bending { f_bend: PARTS[2], m2: M2, la: LA, rp: RP, ls: LS },
+            ),
             Case::hand("pythagoras", "λ = 6.6 but for rounding: M_bend = 44, M_twist = 33, M_total = 55, F = 10", hand),
             Case::hand("force-alone", "M_bend = 44, F = 8", Bending { m2: 0.0, ..hand }),
             Case::hand(

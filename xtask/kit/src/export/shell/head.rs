@@ -2,7 +2,7 @@
 
 use crate::export::element::names;
 use crate::export::recorded::filled;
-use crate::uel::{Interface, is_position, is_rotation, len};
+use crate::uel::{Interface, degrees, is_position, len, places};
 use jointproof::catalog::AnyElement;
 use jointproof::formula::Field;
 use jointproof::formula::quantity::Domain;
@@ -52,17 +52,6 @@ fn meaning(field: &Field) -> String {
     format!("{}: {}", field.name, field.quantity.meaning)
 }
 
-/// The place of each field in an array, from this place on.
-fn places(fields: &'static [Field], mut from: usize) -> Vec<(String, &'static Field)> {
-    let place = |field: &'static Field| {
-        let to = from + field.len() - 1;
-        let range = if to > from { format!("{from}-{to}") } else { from.to_string() };
-        from = to + 1;
-        (range, field)
-    };
-    fields.iter().map(place).collect()
-}
-
 /// The degrees of freedom of each node.
 fn nodes(head: &mut Head, interface: &Interface) {
     let layout = &interface.layout;
@@ -89,15 +78,6 @@ fn nodes(head: &mut Head, interface: &Interface) {
             &interface.nodes.to_string(),
             &format!("an internal node with the multipliers: {}", degrees.join("; ")),
         );
-    }
-}
-
-/// The degrees of freedom of Abaqus: 1-3 are translations, 4-6 rotations.
-fn degrees(unknown: &Field, mcrd: usize) -> Vec<usize> {
-    match (is_rotation(unknown), mcrd) {
-        (false, mcrd) => (1..=mcrd).collect(),
-        (true, 3) => vec![4, 5, 6],
-        (true, _) => vec![6],
     }
 }
 
