@@ -46,6 +46,10 @@ class Field:
         """The places of its components among those of all fields."""
         return slice(self.start, self.start + self.size)
 
+    def misshapen(self, shape):
+        """The error of an array of this shape."""
+        return ShapeError(self.name, f"shape {list(shape)}; allowed is […, {', '.join(map(str, self.shape))}]")
+
     def of(self, packed):
         """Its part of an array whose last axis has the components of all fields: a view."""
         part = packed[..., self.places]
@@ -361,7 +365,7 @@ def _array(field, x):
         array = np.require(array, np.float64, "A")
     axes = len(field.shape)
     if axes and array.shape[array.ndim - axes :] != field.shape:
-        raise ShapeError(field.name, f"shape {list(array.shape)}; allowed is […, {', '.join(map(str, field.shape))}]")
+        raise field.misshapen(array.shape)
     return array
 
 

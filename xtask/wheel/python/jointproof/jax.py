@@ -13,21 +13,27 @@ import jax
 from jax.experimental import checkify
 
 from . import arrays
+from .arrays._function import in_one_library
 
 
 def operation(formula, *, checked=False):
     """The formula as a function of JAX, called as the formula is. What is not allowed gives NaN, or with ``checked`` an error, which a
     compiled function returns by :func:`jax.experimental.checkify.checkify`."""
-    return _operation(arrays.find(formula).id, checked)
+    return _operation(arrays.there(formula).id, checked)
 
 
 @lru_cache
 def _operation(id, checked):
-    function = arrays.find(id)
-    value = function.value if function.entries is None else _ruled(function)
+    return ruled(arrays.there(id), checked)
+
+
+def ruled(function, checked=False):
+    """A function over arrays with its own Jacobian as its derivative."""
+    value = function.value if function.entries is None else _with_rule(function)
 
     def called(*args, **kwargs):
-        lib, numbers, shape = function.components(*_in_jax(args, kwargs))
+        lib, inputs = in_one_library([_array(x) for x in function.formula._bound(args, kwargs)])
+        numbers, shape = function.components(lib, inputs)
         if checked:
             _check(function, lib, numbers)
         return function.packed(lib, value(lib, *numbers), shape)
@@ -36,12 +42,10 @@ def _operation(id, checked):
     return called
 
 
-def _ruled(function):
+def _with_rule(function):
     """The value, with the Jacobian of the formula as its derivative."""
 
-    @lambda value: jax.custom_jvp(value, nondiff_argnums=(0,))
-    def value(lib, *numbers):
-        return function.value(lib, *numbers)
+    value = jax.custom_jvp(function.value, nondiff_argnums=(0,))
 
     def rule(lib, primals, tangents):
         values, entries = function.linearized(lib, *primals)
@@ -56,12 +60,8 @@ def _ruled(function):
     return value
 
 
-def _in_jax(args, kwargs):
-    """Numbers and arrays of NumPy as arrays of JAX; a number takes the precision of the others."""
-    return [_array(x) for x in args], {name: _array(x) for name, x in kwargs.items()}
-
-
 def _array(x):
+    """An array of JAX; a number takes the precision of the others."""
     return x if isinstance(x, (jax.Array, float, int)) else jax.numpy.asarray(x)
 
 

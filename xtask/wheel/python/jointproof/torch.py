@@ -4,39 +4,52 @@
     friction(f2=f2, …).fc.sum().backward()
 
 A formula is that of :mod:`jointproof.arrays`, on the device and in the precision of its tensors. Its first derivative is the Jacobian
-in closed form, which is proved, and what is derived from that is PyTorch's. An automatic Jacobian is PyTorch's altogether.
+in closed form, which is proved, and what is derived from that is PyTorch's. An automatic Jacobian is PyTorch's altogether, and so is every
+derivative of what ``torch.compile`` compiles.
 """
 
-from functools import lru_cache
+from functools import lru_cache, reduce
 
+import array_api_compat.torch
 import torch
+from torch.autograd import forward_ad
 
 from . import arrays
+from .arrays._function import Library
 
 
 def operation(formula, *, checked=False):
     """The formula as a function of tensors, called as the formula is. What is not allowed gives NaN, or with ``checked`` the formula's
     error."""
-    return _operation(arrays.find(formula).id, checked)
+    return _operation(arrays.there(formula).id, checked)
 
 
 @lru_cache
 def _operation(id, checked):
-    function = arrays.find(id)
+    function = arrays.there(id)
     value = function.value if function.entries is None else _ruled(function)
 
     def called(*args, **kwargs):
-        args, kwargs = [_tensor(x) for x in args], {name: _tensor(x) for name, x in kwargs.items()}
-        lib, numbers, shape = function.components(args, kwargs, checked)
+        lib, inputs = _tensors(function.formula._bound(args, kwargs))
+        numbers, shape = function.components(lib, inputs, checked)
         return function.packed(lib, value(lib, *numbers), shape)
 
     called.__name__, called.__doc__, called.__signature__ = function.__name__, function.__doc__, function.__signature__
     return called
 
 
-def _tensor(x):
-    """A number becomes a tensor where the precision of the others is known; without others it is a double."""
-    return x if isinstance(x, (torch.Tensor, float, int)) else torch.as_tensor(x, dtype=torch.float64)
+# One for each precision, made beforehand: what a compiler traces makes none.
+_LIBRARIES = {dtype: Library(array_api_compat.torch, dtype) for dtype in (torch.float64, torch.float32, torch.bfloat16, torch.float16)}
+
+
+def _tensors(given):
+    """The library of some inputs, and these as tensors in one precision on one device; without tensors they are doubles."""
+    tensors = [x for x in given if isinstance(x, torch.Tensor)]
+    dtype, device = torch.float64, tensors[0].device if tensors else None
+    floating = [x.dtype for x in tensors if x.dtype.is_floating_point]
+    if floating:
+        dtype = reduce(torch.promote_types, floating)
+    return _LIBRARIES[dtype], [torch.as_tensor(x, dtype=dtype, device=device) for x in given]
 
 
 def _ruled(function):
@@ -67,11 +80,18 @@ def _ruled(function):
 
         @staticmethod
         def jvp(ctx, _, *tangents):
-            _, entries = function.linearized(ctx.lib, *ctx.saved_tensors)
-            changes = [torch.zeros_like(ctx.saved_tensors[0]) for _ in range(function.formula.m)]
-            for (i, j), entry in zip(function.entries, entries):
-                if tangents[j] is not None:
-                    changes[i] = changes[i] + entry * tangents[j]
-            return tuple(changes)
+            # PyTorch turns forward derivatives off in here; what a forward derivative of this one needs are the primal numbers.
+            with forward_ad._set_fwd_grad_enabled(True):
+                numbers = [forward_ad.unpack_dual(x).primal for x in ctx.saved_tensors]
+                _, entries = function.linearized(ctx.lib, *numbers)
+                changes = [torch.zeros_like(numbers[0]) for _ in range(function.formula.m)]
+                for (i, j), entry in zip(function.entries, entries):
+                    if tangents[j] is not None:
+                        changes[i] = changes[i] + entry * tangents[j]
+                return tuple(changes)
 
-    return Operation.apply
+    def value(lib, *numbers):
+        # The compiler knows no rules for derivatives forward; it derives the value itself.
+        return (function.value if torch.compiler.is_compiling() else Operation.apply)(lib, *numbers)
+
+    return value

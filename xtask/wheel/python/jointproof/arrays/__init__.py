@@ -12,6 +12,9 @@ and say what is wrong with inputs; what is not allowed is NaN here, unless ``che
 
 from importlib import import_module
 
+from ._function import Function as Function
+from ._function import Missing as Missing
+
 
 def find(formula):
     """The function of a formula, or of its identifier."""
@@ -19,6 +22,14 @@ def find(formula):
 
     found = find(formula)
     return getattr(import_module(f".{found.id.split('.')[0]}", __name__), found.__name__)
+
+
+def there(formula):
+    """The same, or an error that says why there is none."""
+    function = find(formula)
+    if isinstance(function, Missing):
+        raise function.error()
+    return function
 
 
 def __getattr__(name):

@@ -19,12 +19,6 @@ class Library:
         for name in ("abs", "sqrt", "sin", "cos", "asin", "exp", "expm1", "atan2", "maximum", "where", "sign"):
             setattr(self, name, getattr(xp, name))
 
-    def array(self, x, device):
-        """An input in this precision and on this device."""
-        if compat.is_array_api_obj(x) and compat.array_namespace(x) is self.xp:
-            return x if x.dtype == self.dtype else self.xp.astype(x, self.dtype)
-        return self.xp.asarray(x, dtype=self.dtype, device=device)
-
     def constants(self, condition, yes, no):
         """One of two numbers, in this precision."""
         return self.xp.where(condition, self.xp.asarray(yes, dtype=self.dtype), self.xp.asarray(no, dtype=self.dtype))
@@ -62,14 +56,35 @@ class Library:
 library = lru_cache(Library)
 
 
+def in_one_library(given):
+    """The library of some inputs, and these as its arrays in one precision, on one device; numbers and arrays of NumPy go along with
+    arrays of others."""
+    arrays = [x for x in given if compat.is_array_api_obj(x)]
+    arrays = [x for x in arrays if not compat.is_numpy_array(x)] or arrays or [np.asarray(0.0)]
+    xp = compat.array_namespace(*arrays)
+    floating = [x.dtype for x in arrays if xp.isdtype(x.dtype, "real floating")]
+    lib = library(xp, xp.result_type(*floating) if floating else xp.asarray(0.0).dtype)
+    device = None if compat.is_jax_array(arrays[0]) else compat.device(arrays[0])
+
+    def array(x):
+        if any(x is one for one in arrays):
+            return x if x.dtype == lib.dtype else xp.astype(x, lib.dtype)
+        return xp.asarray(x, dtype=lib.dtype, device=device)
+
+    return lib, [array(x) for x in given]
+
+
 class Missing:
     """A formula that is not here, and why."""
 
     def __init__(self, id, why):
         self.id, self.why = id, why
 
+    def error(self):
+        return NotImplementedError(f"{self.id} over arrays: {self.why}; jointproof.{self.id} computes it in NumPy")
+
     def __call__(self, *args, **kwargs):
-        raise NotImplementedError(f"{self.id} over arrays: {self.why}; jointproof.{self.id} computes it in NumPy")
+        raise self.error()
 
     linearize = __call__
 
@@ -94,7 +109,8 @@ class Function:
         return f"<{self.id} over arrays>"
 
     def __call__(self, *args, checked=False, **kwargs):
-        lib, numbers, shape = self.components(args, kwargs, checked)
+        lib, inputs = in_one_library(self.formula._bound(args, kwargs))
+        numbers, shape = self.components(lib, inputs, checked)
         with np.errstate(all="ignore"):
             return self.packed(lib, self.value(lib, *numbers), shape)
 
@@ -102,7 +118,8 @@ class Function:
         """Value and Jacobian together, as the formula has them, the Jacobian in closed form."""
         if self.entries is None:
             raise NotImplementedError(f"{self.id}: its Jacobian is automatic; let the library of your arrays derive it")
-        lib, numbers, shape = self.components(args, kwargs, checked)
+        lib, inputs = in_one_library(self.formula._bound(args, kwargs))
+        numbers, shape = self.components(lib, inputs, checked)
         with np.errstate(all="ignore"):
             values, entries = self.linearized(lib, *numbers)
             zero = lib.xp.zeros_like(numbers[0])
@@ -129,35 +146,28 @@ class Function:
         """Results that are the same everywhere as arrays."""
         return [y + lib.xp.zeros_like(numbers[0]) if isinstance(y, float) else y for y in results]
 
-    def components(self, args, kwargs, checked=False):
-        """The library, the components of all inputs as arrays of one shape, and that shape."""
-        given = self.formula._bound(args, kwargs)
-        arrays = [x for x in given if compat.is_array_api_obj(x)]
-        # Arrays of NumPy go along with those of others.
-        arrays = [x for x in arrays if not compat.is_numpy_array(x)] or arrays or [np.asarray(0.0)]
-        xp = compat.array_namespace(*arrays)
-        floating = [x.dtype for x in arrays if xp.isdtype(x.dtype, "real floating")]
-        lib = library(xp, xp.result_type(*floating) if floating else xp.asarray(0.0).dtype)
-        device = None if compat.is_jax_array(arrays[0]) else compat.device(arrays[0])
-        inputs = [lib.array(x, device) for x in given]
+    def components(self, lib, inputs, checked=False):
+        """The components of all inputs, broadcast against each other, and the shape of each."""
         leading = []
         for field, x in zip(self.formula.inputs, inputs):
             axes = len(field.shape)
             if axes and tuple(x.shape[x.ndim - axes :]) != field.shape:
-                self.formula._arrays(args, kwargs)
+                raise field.misshapen(x.shape)
             leading.append(tuple(x.shape[: x.ndim - axes]))
-        shape = leading[0] if len(set(leading)) == 1 else self.formula._broadcast(leading)
+        shape = leading[0]
+        if any(other != shape for other in leading):
+            shape = self.formula._broadcast(leading)
         numbers = []
         for field, x, own in zip(self.formula.inputs, inputs, leading):
-            x = x if own == shape else xp.broadcast_to(x, shape + field.shape)
+            x = x if own == shape else lib.xp.broadcast_to(x, shape + field.shape)
             if field.shape:
-                x = xp.reshape(x, (*shape, field.size))
+                x = lib.xp.reshape(x, (*shape, field.size))
                 numbers += [x[..., k] for k in range(field.size)]
             else:
                 numbers.append(x)
         if checked:
             self.check(lib, numbers)
-        return lib, numbers, shape
+        return numbers, shape
 
     def check(self, lib, numbers):
         """Raises the formula's error for what is not allowed."""
