@@ -8,6 +8,7 @@ import json
 import keyword
 import pathlib
 import struct
+from functools import cached_property
 
 FOLDER = pathlib.Path(__file__).parent / "python" / "jointproof" / "arrays"
 WIDTH = 120
@@ -85,12 +86,32 @@ class Program:
     def body(self, results):
         return Body(self, results)
 
+    @cached_property
+    def reach(self):
+        """For every result the inputs on which it depends, and those of which NaN surely arrives: not by a condition, nor on one side."""
+        depends, arrives = [], []
+        for place, (name, *operands) in enumerate(self.ops):
+            if name == "input":
+                depends.append({operands[0]})
+                arrives.append({operands[0]})
+                continue
+            operands = self.operands(place)
+            depends.append(set().union(*(depends[k] for k in operands)))
+            if name == "select":
+                arrives.append(arrives[operands[1]] & arrives[operands[2]])
+            else:
+                arrives.append(set() if name in COMPARED else set().union(*(arrives[k] for k in operands)))
+        return depends, arrives
+
 
 class Body:
     """The lines that compute some results."""
 
     def __init__(self, program, results):
-        self.program = program
+        """What is required of all inputs together is computed with the results, if these are numbers that are returned."""
+        self.program, self.places = program, list(results)
+        together = [] if program.refusal in (None, *results) else [program.refusal]
+        results = [*results, *together]
         needed = set()
         todo = list(results)
         while todo:
@@ -104,7 +125,35 @@ class Body:
             self.uses[place] += 1
         self._find_where_needed(results)
         self.texts, self.lines, self.safe = {}, [], {}
-        self.results = [bare(self.text(place)) for place in results]
+        for place in self.order:
+            name, *operands = program.ops[place]
+            if name == "input":
+                self.texts[place] = program.names[operands[0]]
+        if together or program.refusal is None:
+            self._refuse()
+        self.results = [bare(self.text(place)) for place in self.places]
+        if together:
+            self.lines.append(f"refused = lib.constants({self.text(program.refusal)} == 0.0, 0.0, lib.nan)")
+
+    def _refuse(self):
+        """Makes inputs NaN that are not allowed."""
+        for place in self.order:
+            name, *operands = self.program.ops[place]
+            if name == "input":
+                text, conditions = self.texts[place], self.program.conditions[operands[0]]
+                holds = " & ".join(f"({text} {relation} {bound!r})" for relation, bound in conditions)
+                self.lines.append(f"{text} = lib.allowed({text}, {bare(holds)})" if holds else f"{text} = lib.finite({text})")
+
+    def values(self):
+        """The results, to which what is NaN is added where it would not arrive."""
+        depends, arrives = self.program.reach
+        texts = []
+        for place, text in zip(self.places, self.results):
+            lost = [f"0.0 * {self.program.names[k]}" for k in sorted(depends[place] - arrives[place])]
+            if self.program.refusal is not None:
+                lost.append("refused")
+            texts.append(f"({text}) + ({' + '.join(lost)})" if lost else text)
+        return texts
 
     def _find_where_needed(self, results):
         """When each result is needed: always, or if some of the conditions around it hold."""
@@ -135,9 +184,6 @@ class Body:
 
     def _write(self, place):
         name, *operands = self.program.ops[place]
-        if name == "input":
-            self.texts[place] = self.program.names[operands[0]]
-            return
         text = self._operation(place, name, operands)
         # A condition also stands where what is not needed is kept safe.
         if self.uses[place] == 1 and len(text) <= SHORT and not self.program.is_answer(place):
@@ -313,9 +359,9 @@ def components(fields):
     return names
 
 
-def function(name, names, body, returned):
+def function(name, names, statements, returned):
     lines = folded(f"def {name}({', '.join(['lib', *names])}):", "")
-    for line in body.lines:
+    for line in statements:
         lines += folded(line)
     return "\n".join(["", "", *lines, *folded(f"return {returned}"), ""])
 
@@ -326,26 +372,28 @@ def tuple_of(texts):
 
 def accepted(name, program):
     """Whether inputs are allowed, each alone and all together."""
-    body = program.body([] if program.refusal is None else [program.refusal])
-    texts = [f"lib.finite({', '.join(program.names)})"]
+    texts = [f"lib.are_finite({', '.join(program.names)})"]
     for component, conditions in zip(program.names, program.conditions, strict=True):
         texts += [f"({component} {relation} {bound!r})" for relation, bound in conditions]
-    texts += [f"({result} == 0.0)" for result in body.results]
-    return function(name, program.names, body, " & ".join(texts))
+    lines = []
+    if program.refusal is not None:
+        body = program.body([program.refusal])
+        lines, texts = body.lines, [*texts, f"({body.results[0]} == 0.0)"]
+    return function(name, program.names, lines, " & ".join(texts))
 
 
 def formula(name, id, program):
     """The functions of a formula, and the object that is called."""
     value = program.body(program.value)
-    text = function(f"_{name}_value", program.names, value, tuple_of(value.results))
+    text = function(f"_{name}_value", program.names, value.lines, tuple_of(value.values()))
     linearized, entries = "None", []
     if program.jacobian:
         n, m = len(program.names), len(program.value)
         entries = [(*divmod(k, n), place) for k, place in enumerate(program.jacobian) if program.number(place) != 0.0]
         both = program.body([*program.value, *(place for *_, place in entries)])
         linearized = f"_{name}_linearized"
-        results = [tuple_of(both.results[:m]), tuple_of(both.results[m:])]
-        text += function(linearized, program.names, both, ", ".join(results))
+        results = [tuple_of(both.values()[:m]), tuple_of(both.results[m:])]
+        text += function(linearized, program.names, both.lines, ", ".join(results))
     text += accepted(f"_{name}_accepted", program)
     pairs = tuple_of([f"({i}, {j})" for i, j, _ in entries])
     made = f"{name} = Function({id!r}, _{name}_value, {linearized}, _{name}_accepted, {pairs})"

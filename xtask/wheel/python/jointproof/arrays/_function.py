@@ -13,7 +13,7 @@ class Library:
     """The functions that printed formulas call, of one library in one precision. None has NaN as a derivative where a formula has one."""
 
     def __init__(self, xp, dtype):
-        self.xp, self.dtype = xp, dtype
+        self.xp, self.dtype, self.nan = xp, dtype, math.nan
         #: 2^27 + 1 in doubles.
         self.splitter = 2.0 ** round(-math.log2(xp.finfo(dtype).eps) / 2 + 0.6) + 1.0
         for name in ("abs", "sqrt", "sin", "cos", "asin", "exp", "expm1", "atan2", "maximum", "where", "sign"):
@@ -45,12 +45,27 @@ class Library:
         whole = self.xp.trunc(x)
         return self.where(self.abs(x - whole) < 0.5, whole, whole + self.sign(x))
 
-    def finite(self, *x):
+    def finite(self, x):
+        """A number, NaN if it is not finite."""
+        return x + 0.0 * x
+
+    def allowed(self, x, holds):
+        """A number, NaN if it is not finite or something does not hold."""
+        return self.where(holds, self.finite(x), self.nan)
+
+    def are_finite(self, *x):
         """Whether all numbers are."""
         finite = self.xp.isfinite(x[0])
         for one in x[1:]:
             finite = finite & self.xp.isfinite(one)
         return finite
+
+    def parts(self, x):
+        """The components along the last axis."""
+        if not compat.is_jax_namespace(self.xp):
+            return [x[..., k] for k in range(x.shape[-1])]
+        # Backwards this joins what the components have; slices would add arrays with zeros beside each.
+        return [self.xp.reshape(part, x.shape[:-1]) for part in self.xp.split(x, x.shape[-1], axis=-1)]
 
 
 library = lru_cache(Library)
@@ -131,15 +146,12 @@ class Function:
 
     def value(self, lib, *numbers):
         """The components of the outputs from those of the inputs, NaN where these are not allowed."""
-        accepted = self._accepted(lib, *numbers)
-        return tuple(lib.where(accepted, y, math.nan) for y in self._full(lib, self._value(lib, *numbers), numbers))
+        return tuple(self._full(lib, self._value(lib, *numbers), numbers))
 
     def linearized(self, lib, *numbers):
         """The same, and the entries of the Jacobian that are not always 0."""
         values, entries = self._linearized(lib, *numbers)
-        accepted = self._accepted(lib, *numbers)
-        values = tuple(lib.where(accepted, y, math.nan) for y in self._full(lib, values, numbers))
-        return values, tuple(lib.where(accepted, y, math.nan) for y in self._full(lib, entries, numbers))
+        return tuple(self._full(lib, values, numbers)), tuple(self._full(lib, entries, numbers))
 
     @staticmethod
     def _full(lib, results, numbers):
@@ -161,8 +173,7 @@ class Function:
         for field, x, own in zip(self.formula.inputs, inputs, leading):
             x = x if own == shape else lib.xp.broadcast_to(x, shape + field.shape)
             if field.shape:
-                x = lib.xp.reshape(x, (*shape, field.size))
-                numbers += [x[..., k] for k in range(field.size)]
+                numbers += lib.parts(lib.xp.reshape(x, (*shape, field.size)))
             else:
                 numbers.append(x)
         if checked:
