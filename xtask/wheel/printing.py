@@ -400,9 +400,23 @@ def formula(name, id, program):
     return text + "\n\n" + "\n".join(folded(made, "")) + "\n"
 
 
-HEAD = '''"""{what}, over arrays of any library. Generated when the wheel was built."""
+def element(forms):
+    """The functions of an element, without and with friction, and the object that is called."""
+    text, given = "", []
+    for said in forms:
+        name = f"_{said['id']}_{'rubbing' if said['rubs'] else 'smooth'}"
+        program = Program(said["program"], components(said["inputs"]))
+        body = program.body(program.value)
+        text += function(name, program.names, body.lines, tuple_of(body.values()))
+        shapes = [(output, tuple(shape)) for output, shape in said["outputs"]]
+        given.append(f"({said['inputs']!r}, {shapes!r}, {name})")
+    first = forms[0]
+    return f"{text}\n\n{first['id']} = Element({first['id']!r}, {first['title']!r}, {first['source']!r}, {', '.join(given)})\n"
 
-from .{module} import {imported}
+
+HEAD = '''"""The formulas of the family {family}, over arrays of any library. Generated when the wheel was built."""
+
+{elements}from ._function import Function, Missing
 '''
 
 
@@ -421,6 +435,14 @@ def write(package):
         except Missing as why:
             text = f"\n\n{formula_of.__name__} = Missing({one['id']!r}, {str(why)!r})\n"
         families.setdefault(family, []).append(text)
+    forms = {}
+    for one in said["elements"]:
+        forms.setdefault(one["id"], []).append(one)
+    for id, some in forms.items():
+        try:
+            families["element"].append(element(some))
+        except Missing as why:
+            families["element"].append(f"\n\n{id} = Missing({f'element {id}'!r}, {str(why)!r})\n")
     for family, texts in families.items():
-        head = HEAD.format(what=f"The formulas of the family {family}", module="_function", imported="Function, Missing")
+        head = HEAD.format(family=family, elements="from ._element import Element\n" if family == "element" else "")
         (FOLDER / f"{family}.py").write_text(head + "".join(texts), encoding="utf-8")

@@ -5,9 +5,7 @@ pub(super) mod loops;
 
 use super::language::{File, Language, Operand, Syntax, Toolchain, files_of};
 use super::program::{Body, Lines, PartLines, WIDTH, folded};
-use super::recorded::{
-    Function, Output, Recorded, Shape, Text, description, filled, refusals, stem, unreserved,
-};
+use super::recorded::{Function, Output, Recorded, Shape, Text, description, filled, refusals, stem, unreserved};
 use jointproof::formula::Field;
 use jointproof::toolkit::graph::{Binary, Node, Op, Relation, Unary};
 use std::path::Path;

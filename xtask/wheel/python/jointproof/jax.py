@@ -7,7 +7,9 @@ A formula is that of :mod:`jointproof.arrays`, on the device and in the precisio
 in closed form, which is proved, and what is derived from that is JAX's. An automatic Jacobian is JAX's altogether.
 """
 
+from collections.abc import Callable
 from functools import lru_cache
+from typing import TYPE_CHECKING, Any
 
 import jax
 from jax.experimental import checkify
@@ -15,8 +17,11 @@ from jax.experimental import checkify
 from . import arrays
 from .arrays._function import in_one_library
 
+if TYPE_CHECKING:
+    from .formula import Formula
 
-def operation(formula, *, checked=False):
+
+def operation(formula: "str | Formula", *, checked: bool = False) -> Callable[..., Any]:
     """The formula as a function of JAX, called as the formula is. What is not allowed gives NaN, or with ``checked`` an error, which a
     compiled function returns by :func:`jax.experimental.checkify.checkify`."""
     return _operation(arrays.there(formula).id, checked)

@@ -8,7 +8,9 @@ in closed form, which is proved, and what is derived from that is PyTorch's. An 
 derivative of what ``torch.compile`` compiles.
 """
 
+from collections.abc import Callable
 from functools import lru_cache, reduce
+from typing import TYPE_CHECKING, Any
 
 import array_api_compat.torch
 import torch
@@ -17,8 +19,11 @@ from torch.autograd import forward_ad
 from . import arrays
 from .arrays._function import Library
 
+if TYPE_CHECKING:
+    from .formula import Formula
 
-def operation(formula, *, checked=False):
+
+def operation(formula: "str | Formula", *, checked: bool = False) -> Callable[..., Any]:
     """The formula as a function of tensors, called as the formula is. What is not allowed gives NaN, or with ``checked`` the formula's
     error."""
     return _operation(arrays.there(formula).id, checked)

@@ -11,12 +11,16 @@ and say what is wrong with inputs; what is not allowed is NaN here, unless ``che
 """
 
 from importlib import import_module
+from typing import TYPE_CHECKING, Any
 
 from ._function import Function as Function
 from ._function import Missing as Missing
 
+if TYPE_CHECKING:
+    from ..formula import Formula
 
-def find(formula):
+
+def find(formula: "str | Formula") -> Any:
     """The function of a formula, or of its identifier."""
     from .. import find
 
@@ -24,7 +28,7 @@ def find(formula):
     return getattr(import_module(f".{found.id.split('.')[0]}", __name__), found.__name__)
 
 
-def there(formula):
+def there(formula: "str | Formula") -> Function:
     """The same, or an error that says why there is none."""
     function = find(formula)
     if isinstance(function, Missing):
@@ -32,7 +36,7 @@ def there(formula):
     return function
 
 
-def __getattr__(name):
+def __getattr__(name: str) -> Any:
     from .. import formulas
 
     if any(id.startswith(f"{name}.") for id in formulas):

@@ -2,11 +2,12 @@
 
 import math
 from functools import lru_cache
+from typing import Any
 
 import array_api_compat as compat
 import numpy as np
 
-from ..formula import Jacobian, Linearized
+from ..formula import Jacobian, Linearized, broadcast
 
 
 class Library:
@@ -89,6 +90,29 @@ def in_one_library(given):
     return lib, [array(x) for x in given]
 
 
+def components(lib, fields, inputs):
+    """The components of all fields, broadcast against each other, and the shape of each."""
+    leading = []
+    for field, x in zip(fields, inputs):
+        axes = len(field.shape)
+        if axes and tuple(x.shape[x.ndim - axes :]) != field.shape:
+            raise field.misshapen(x.shape)
+        leading.append(tuple(x.shape[: x.ndim - axes]))
+    shape = leading[0]
+    if any(other != shape for other in leading):
+        shape = broadcast([field.name for field in fields], leading)
+    numbers = []
+    for field, x, own in zip(fields, inputs, leading):
+        x = x if own == shape else lib.xp.broadcast_to(x, shape + field.shape)
+        numbers += lib.parts(lib.xp.reshape(x, (*shape, field.size))) if field.shape else [x]
+    return numbers, shape
+
+
+def full(lib, results, numbers):
+    """Results that are the same everywhere as arrays."""
+    return tuple(y + lib.xp.zeros_like(numbers[0]) if isinstance(y, float) else y for y in results)
+
+
 class Missing:
     """A formula that is not here, and why."""
 
@@ -110,7 +134,7 @@ class Function:
 
     Frameworks trace, map, compile and differentiate it. Numbers that over- or underflow when they are squared are left alone."""
 
-    def __init__(self, id, value, linearized, accepted, entries):
+    def __init__(self, id: str, value: Any, linearized: Any, accepted: Any, entries: tuple[tuple[int, int], ...]) -> None:
         from .. import find
 
         self.formula = find(id)
@@ -123,13 +147,13 @@ class Function:
     def __repr__(self):
         return f"<{self.id} over arrays>"
 
-    def __call__(self, *args, checked=False, **kwargs):
+    def __call__(self, *args: Any, checked: bool = False, **kwargs: Any) -> Any:
         lib, inputs = in_one_library(self.formula._bound(args, kwargs))
         numbers, shape = self.components(lib, inputs, checked)
         with np.errstate(all="ignore"):
             return self.packed(lib, self.value(lib, *numbers), shape)
 
-    def linearize(self, *args, checked=False, **kwargs):
+    def linearize(self, *args: Any, checked: bool = False, **kwargs: Any) -> Linearized:
         """Value and Jacobian together, as the formula has them, the Jacobian in closed form."""
         if self.entries is None:
             raise NotImplementedError(f"{self.id}: its Jacobian is automatic; let the library of your arrays derive it")
@@ -146,36 +170,16 @@ class Function:
 
     def value(self, lib, *numbers):
         """The components of the outputs from those of the inputs, NaN where these are not allowed."""
-        return tuple(self._full(lib, self._value(lib, *numbers), numbers))
+        return full(lib, self._value(lib, *numbers), numbers)
 
     def linearized(self, lib, *numbers):
         """The same, and the entries of the Jacobian that are not always 0."""
         values, entries = self._linearized(lib, *numbers)
-        return tuple(self._full(lib, values, numbers)), tuple(self._full(lib, entries, numbers))
-
-    @staticmethod
-    def _full(lib, results, numbers):
-        """Results that are the same everywhere as arrays."""
-        return [y + lib.xp.zeros_like(numbers[0]) if isinstance(y, float) else y for y in results]
+        return full(lib, values, numbers), full(lib, entries, numbers)
 
     def components(self, lib, inputs, checked=False):
         """The components of all inputs, broadcast against each other, and the shape of each."""
-        leading = []
-        for field, x in zip(self.formula.inputs, inputs):
-            axes = len(field.shape)
-            if axes and tuple(x.shape[x.ndim - axes :]) != field.shape:
-                raise field.misshapen(x.shape)
-            leading.append(tuple(x.shape[: x.ndim - axes]))
-        shape = leading[0]
-        if any(other != shape for other in leading):
-            shape = self.formula._broadcast(leading)
-        numbers = []
-        for field, x, own in zip(self.formula.inputs, inputs, leading):
-            x = x if own == shape else lib.xp.broadcast_to(x, shape + field.shape)
-            if field.shape:
-                numbers += lib.parts(lib.xp.reshape(x, (*shape, field.size)))
-            else:
-                numbers.append(x)
+        numbers, shape = components(lib, self.formula.inputs, inputs)
         if checked:
             self.check(lib, numbers)
         return numbers, shape
