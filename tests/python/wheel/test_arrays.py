@@ -6,7 +6,7 @@ import json
 import numpy as np
 import pytest
 from conftest import points, wanted
-from exact import Golden, eta, rounded, second
+from exact import GOLDEN, Golden, eta, rounded, second
 
 import jointproof
 from jointproof import arrays
@@ -181,6 +181,16 @@ def test_a_checked_call_raises_the_formulas_error():
         arrays.slot.friction(1.0, 3.0, 4.0, 0.0, mu, checked=True)
     with pytest.raises(jointproof.ShapeError, match=r"e1a: shape \[2\]; allowed is \[…, 3\]"):
         arrays.slot.relative_position(np.ones(2), np.ones(3), np.ones(3), np.ones(3), np.ones(3))
+
+
+@pytest.mark.parametrize("id", THERE)
+def test_what_a_formula_refuses_is_nan(id):
+    """But for a product that is above 1 by less than it is rounded by."""
+    file = json.loads((GOLDEN / f"{id}.json").read_text(encoding="utf-8"))
+    refused = [case for case in file["cases"] if "invalid" in case["flags"] and not case["id"].endswith("barely-above-1")]
+    inputs = [np.array([case["in"][name] for case in refused], float) for name in refused[0]["in"]]
+    found = np.concatenate([np.reshape(y, (len(refused), -1)) for y in arrays.find(id)(*inputs)], axis=-1)
+    assert np.isnan(found).any(axis=1).all(), [case["id"] for case, row in zip(refused, found) if not np.isnan(row).any()]
 
 
 def test_vectors_have_their_axes_last():

@@ -17,7 +17,7 @@ class Library:
         self.xp, self.dtype, self.nan = xp, dtype, math.nan
         #: 2^27 + 1 in doubles.
         self.splitter = 2.0 ** round(-math.log2(xp.finfo(dtype).eps) / 2 + 0.6) + 1.0
-        for name in ("abs", "sqrt", "sin", "cos", "asin", "exp", "expm1", "atan2", "maximum", "where", "sign"):
+        for name in ("abs", "sqrt", "sin", "cos", "asin", "exp", "expm1", "atan2", "maximum", "where"):
             setattr(self, name, getattr(xp, name))
 
     def constants(self, condition, yes, no):
@@ -45,6 +45,11 @@ class Library:
         """Of two that are equally near, the one farther from 0."""
         whole = self.xp.trunc(x)
         return self.where(self.abs(x - whole) < 0.5, whole, whole + self.sign(x))
+
+    def sign(self, x):
+        """−1, 0 or 1; NaN of NaN."""
+        # That of PyTorch is 0 for NaN, and mended by writing into it, which cannot be mapped.
+        return x.sign() + 0.0 * x if compat.is_torch_namespace(self.xp) else self.xp.sign(x)
 
     def finite(self, x):
         """A number, NaN if it is not finite."""
