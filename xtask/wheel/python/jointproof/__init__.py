@@ -84,6 +84,8 @@ def _families():
 
 
 def _element(name):
+    if name.startswith("__"):
+        raise AttributeError(name)
     from .arrays import element
 
     return getattr(element, name)
