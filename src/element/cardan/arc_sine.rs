@@ -46,11 +46,11 @@ fn gentle_or_steep<D: Scalar>(is_gentle: bool, sine: D, shortfall: D) -> D {
 #[inline]
 pub(crate) fn arc_sine_slope<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>) -> [D; 2] {
     let sine = a.dot(b);
+    let is_gentle = abs(sine) < STEEP;
     let gentle = (-sine + 1.0) * (sine + 1.0);
     if D::ignores_extremes() {
         return per_square(gentle);
     }
-    let is_gentle = abs(sine) < STEEP;
     if !D::has_extremes() {
         return per_square(if is_gentle { gentle } else { steep_square(shortfall(a, b)) });
     }
