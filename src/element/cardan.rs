@@ -149,7 +149,7 @@ fn extreme_turn_gradient<D: Scalar>([v, p, q]: [Vector3<D>; 3], (sine, cosine): 
 /// Whether [`turn`] and its derivatives are defined. If several rows are computed at once, the results are NaN otherwise.
 #[inline]
 fn is_turn<D: Scalar>(v: &Vector3<D>, p: &Vector3<D>, q: &Vector3<D>) -> bool {
-    !D::has_extremes() || has_length([v.dot(p), v.dot(q)])
+    !(D::has_extremes() || D::ignores_extremes()) || has_length([v.dot(p), v.dot(q)])
 }
 
 /// The angle plus the number of full turns that brings it nearest to another one: this follows a joint from state to state,

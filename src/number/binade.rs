@@ -17,6 +17,9 @@ impl<D: Scalar> Binade<D> {
     /// largest number is of usual size, which changes no digit.
     #[inline]
     pub(crate) fn of(numbers: impl IntoIterator<Item = D>) -> Self {
+        if D::ignores_extremes() {
+            return Self { unit: D::one(), per_unit: D::one() };
+        }
         let least = D::Leaf::from(f64::MIN_POSITIVE);
         let largest = numbers.into_iter().fold(least, |largest, x| largest.or_larger(abs(leaf(x))));
         // Everything that follows would wait for the unit, whereas the processor can predict this branch.

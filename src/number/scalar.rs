@@ -73,6 +73,12 @@ pub trait Scalar: DualNum<Primitive = f64> + Copy + Send + Sync + nalgebra::Scal
     fn has_extremes() -> bool {
         true
     }
+    /// Whether nothing is done about extreme numbers: neither a branch nor NaN. A recorded graph has neither where frameworks for
+    /// arrays differentiate it.
+    #[inline]
+    fn ignores_extremes() -> bool {
+        false
+    }
     /// Whether to test for shortcuts, which save time and change no result. Recording a graph omits them: it contains
     /// the full computation anyway, and each test would double the number of paths.
     #[inline]
@@ -354,7 +360,7 @@ pub(crate) fn is_between<D: Scalar>(x: D, least: f64, most: f64) -> bool {
 /// ```
 #[inline]
 pub(crate) fn number_if<D: Scalar>(is_usual: bool, x: D) -> D {
-    if is_usual { x } else { D::from(f64::NAN) }
+    if D::ignores_extremes() || is_usual { x } else { D::from(f64::NAN) }
 }
 
 /// −1, 0 or 1: the derivative of [`abs`].

@@ -1,4 +1,5 @@
-"""Builds the wheel with maturin, and with type stubs of the formulas: what the package that was just built says of itself."""
+"""Builds the wheel with maturin, and with what the package that was just built says of itself: type stubs of the formulas, and their
+operations over arrays."""
 
 import sys
 import tempfile
@@ -14,7 +15,10 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
         without = Path(folder, maturin.build_wheel(folder, config_settings))
         zipfile.ZipFile(without).extractall(folder)
         sys.path.insert(0, folder)
+        import jointproof
+        import printing
         import stubs
 
+        printing.write(jointproof)
         stubs.write()
     return maturin.build_wheel(wheel_directory, config_settings, metadata_directory)

@@ -8,14 +8,17 @@ from jointproof.formula import docstring
 
 FOLDER = pathlib.Path(__file__).parent / "python" / "jointproof"
 HEAD = '''# Generated from the catalog when the wheel was built.
-from typing import Any, Callable, Final, NamedTuple, TypeAlias
+from collections.abc import Callable, Sequence
+from typing import Any, Final, Generic, NamedTuple, TypeAlias, TypeVar, overload
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from .formula import Formula, Gradient, Jacobian
 
-Numbers: TypeAlias = float | np.ndarray[Any, np.dtype[np.float64]]
+Array: TypeAlias = NDArray[np.float64]
+# What a number is: a float at one point, an array at several.
+N = TypeVar("N")
 '''
 PACKAGE = '''# Generated from the catalog when the wheel was built.
 from collections.abc import Mapping
@@ -26,6 +29,23 @@ formulas: Mapping[str, Formula]
 def find(formula: str | Formula) -> Formula: ...
 
 '''
+ARRAYS = '''# Generated from the catalog when the wheel was built.
+from typing import Any, Final, NamedTuple
+
+from ..formula import Gradient, Jacobian
+from ._function import Function
+'''
+ELEMENT = "from {} import Contribution as Contribution, Element as Element\n"
+LIBRARY = '''# Generated from the catalog when the wheel was built.
+from typing import Any
+
+from ..formula import Formula
+from ._function import Function as Function
+from ._function import Missing as Missing
+
+def find(formula: str | Formula) -> Any: ...
+def there(formula: str | Formula) -> Function: ...
+'''
 
 
 def write():
@@ -35,8 +55,16 @@ def write():
     families = {}
     for id, formula in jointproof.formulas.items():
         families.setdefault(id.split(".")[0], []).append(formula)
+    arrays = FOLDER / "arrays"
+    for former in arrays.glob("*.pyi"):
+        former.unlink()
+    (arrays / "__init__.pyi").write_text(LIBRARY + "".join(f"from . import {family} as {family}\n" for family in families), encoding="utf-8")
     for family, formulas in families.items():
-        (FOLDER / f"{family}.pyi").write_text(HEAD + "".join(map(stub, formulas)), encoding="utf-8")
+        elements = re.findall(r"^(\w+) = Element\(", (arrays / f"{family}.py").read_text(encoding="utf-8"), re.MULTILINE)
+        there = ARRAYS + ELEMENT.format("._element") * bool(elements) + "".join(map(over_arrays, formulas))
+        here = HEAD + ELEMENT.format(".arrays._element") * bool(elements) + "".join(map(stub, formulas))
+        for folder, text in ((arrays, there), (FOLDER, here)):
+            (folder / f"{family}.pyi").write_text(text + "".join(f"{id}: Final[Element]\n" for id in elements), encoding="utf-8")
     (FOLDER / "__init__.pyi").write_text(package(families), encoding="utf-8")
 
 
@@ -44,36 +72,75 @@ def package(families):
     """The stub of the package: what it imports, and a module for each family."""
     imported = re.findall(r"^from (\.\w+) import (.+)$", (FOLDER / "__init__.py").read_text(encoding="utf-8"), re.MULTILINE)
     lines = [f"from {module} import {name} as {name}" for module, names in imported for name in names.split(", ")]
-    lines += [f"from . import {family} as {family}" for family in sorted(families)]
+    lines += [f"from . import {module} as {module}" for module in sorted([*families, "arrays", "blocks"])]
     return PACKAGE + "\n".join(lines) + "\n"
+
+
+def point(shape):
+    """The type of an input at one point."""
+    return "Sequence[" * len(shape) + "float" + "]" * len(shape)
 
 
 def stub(formula):
     name = formula.__name__
     kind = type(formula).__name__
+    at_point = ", ".join(f"{field.name}: {point(field.shape)}" for field in formula.inputs)
     inputs = ", ".join(f"{field.name}: ArrayLike" for field in formula.inputs)
-    values = "".join(f"    {field.name}: Numbers\n" for field in formula.outputs)
-    gradients = "".join(f"    {field.name}: Numbers\n" for field in formula.inputs)
-    rows = "".join(f"    {field.name}: _{kind}Gradient\n" for field in formula.outputs)
+    # An array for a vector may be one point or several.
+    many = "Any" if any(field.shape for field in formula.inputs) else "Array"
+    number = lambda field: "Array" if field.shape else "N"  # noqa: E731
+    values = "".join(f"    {field.name}: {number(field)}\n" for field in formula.outputs)
+    gradients = "".join(f"    {field.name}: {number(field)}\n" for field in formula.inputs)
+    rows = "".join(f"    {field.name}: _{kind}Gradient[{number(field)}]\n" for field in formula.outputs)
     doc = "\n".join(f"    {line}".rstrip() for line in docstring(formula).split("\n")).strip().replace("\\", "\\\\")
+    methods = ""
+    for method, result in (("__call__", "Value"), ("linearize", "Linearized")):
+        methods += f'''    @overload  # type: ignore[override]
+    def {method}(self, {at_point}, *, out: None = None) -> _{kind}{result}[float]: ...
+    @overload
+    def {method}(self, {inputs}, *, out: Any = None) -> _{kind}{result}[{many}]: ...
+'''
+    return f'''
+class _{kind}Value(NamedTuple, Generic[N]):
+{values}
+class _{kind}Gradient(Gradient, Generic[N]):
+{gradients}
+class _{kind}Jacobian(Jacobian, Generic[N]):
+{rows}
+class _{kind}Linearized(NamedTuple, Generic[N]):
+    value: _{kind}Value[N]
+    jacobian: _{kind}Jacobian[N]
+
+class _{kind}(Formula):
+    """{doc}
+    """
+{methods}    def exact(self, {inputs}, *, number: Callable[[str], Any] = ...) -> _{kind}Value[Any]: ...
+    def exact_linearize(self, {inputs}, *, number: Callable[[str], Any] = ...) -> _{kind}Linearized[Any]: ...
+
+{name}: Final[_{kind}]
+'''
+
+
+def over_arrays(formula):
+    """The stub of a formula over arrays, of whatever library."""
+    kind = type(formula).__name__
+    inputs = ", ".join(f"{field.name}: Any" for field in formula.inputs)
+    fields = {of: "".join(f"    {field.name}: Any\n" for field in fields) for of, fields in (("out", formula.outputs), ("in", formula.inputs))}
+    rows = "".join(f"    {field.name}: _{kind}Gradient\n" for field in formula.outputs)
     return f'''
 class _{kind}Value(NamedTuple):
-{values}
+{fields["out"]}
 class _{kind}Gradient(Gradient):
-{gradients}
+{fields["in"]}
 class _{kind}Jacobian(Jacobian):
 {rows}
 class _{kind}Linearized(NamedTuple):
     value: _{kind}Value
     jacobian: _{kind}Jacobian
 
-class _{kind}(Formula):
-    """{doc}
-    """
-    def __call__(self, {inputs}, *, out: Any = None) -> _{kind}Value: ...
-    def linearize(self, {inputs}, *, out: Any = None) -> _{kind}Linearized: ...
-    def exact(self, {inputs}, *, number: Callable[[str], Any] = ...) -> _{kind}Value: ...
-    def exact_linearize(self, {inputs}, *, number: Callable[[str], Any] = ...) -> _{kind}Linearized: ...
+class _{kind}(Function):
+    def __call__(self, {inputs}, *, checked: bool = False) -> _{kind}Value: ...  # type: ignore[override]
+    def linearize(self, {inputs}, *, checked: bool = False) -> _{kind}Linearized: ...  # type: ignore[override]
 
-{name}: Final[_{kind}]
+{formula.__name__}: Final[_{kind}]
 '''

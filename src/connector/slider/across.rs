@@ -105,7 +105,7 @@ impl<D: Scalar> Across<D> {
     #[inline(always)]
     fn about_k(d: &Vector3<D>) -> Option<Self> {
         let axis = Axis::of(d);
-        (axis.along_i && D::has_extremes()).then(|| {
+        (axis.along_i && (D::has_extremes() || D::ignores_extremes())).then(|| {
             cold_path();
             Self::about(Axis { along_i: true }, d)
         })

@@ -123,7 +123,11 @@ impl Spatial {
         let [larger_as_second, larger_as_third] = [1, 2].map(far_is_larger);
         let is_larger = if far_is_third { larger_as_third } else { larger_as_second };
         let ([excess, doubt], is_flat) = (excess(sizes), sizes[2] == 0.0);
-        let is_steep = answer::<D::Leaf>(|| if is_flat { is_larger && sizes[1] > 0.0 } else { excess > doubt });
+        let is_steep = answer::<D::Leaf>(|| match (is_flat, D::ignores_extremes()) {
+            (true, _) => is_larger && sizes[1] > 0.0,
+            (_, true) => excess >= 0.0,
+            _ => excess > doubt,
+        });
         let is_known = answer::<D::Leaf>(|| is_flat | (abs(excess) > doubt));
         Self { far_is_third, is_steep, is_known }
     }

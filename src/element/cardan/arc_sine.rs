@@ -15,6 +15,9 @@ const FRAC_PI_2_LOW: f64 = 6.123_233_995_736_766e-17;
 #[inline(always)]
 pub(super) fn arc_sine<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>) -> D {
     let sine = a.dot(b);
+    if D::ignores_extremes() {
+        return asin(sine);
+    }
     let is_gentle = abs(sine) < STEEP;
     if !D::has_extremes() {
         return gentle_or_steep(is_gentle, sine, shortfall(a, b));
@@ -45,6 +48,9 @@ pub(crate) fn arc_sine_slope<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>) -> [D; 2
     let sine = a.dot(b);
     let is_gentle = abs(sine) < STEEP;
     let gentle = (-sine + 1.0) * (sine + 1.0);
+    if D::ignores_extremes() {
+        return per_square(gentle);
+    }
     if !D::has_extremes() {
         return per_square(if is_gentle { gentle } else { steep_square(shortfall(a, b)) });
     }

@@ -179,6 +179,18 @@ impl Domain {
         }
     }
 
+    /// The conditions on a number besides being finite: comparisons, as `lower`, with numbers.
+    pub fn comparisons(self) -> Vec<(&'static str, f64)> {
+        match self {
+            Self::NonNegative => vec![(">=", 0.0)],
+            Self::Positive => vec![(">", 0.0)],
+            Self::Between(low, high) => vec![(">", low), ("<", high)],
+            Self::Within(low, high) => vec![(">=", low), ("<=", high)],
+            Self::HalfOpen(low, high) => vec![(">=", low), ("<", high)],
+            _ => Vec::new(),
+        }
+    }
+
     /// Whether a quantity with this domain rotates with the model.
     pub const fn turns(self) -> bool {
         matches!(self, Self::Point | Self::Vector | Self::Direction | Self::Triad(..))
@@ -230,5 +242,19 @@ impl Quantity {
     /// A number.
     pub const fn scalar(latex: &'static str, unit: Unit, domain: Domain, meaning: &'static str) -> Self {
         Self::new(latex, Shape::Scalar, unit, domain, meaning)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Domain;
+
+    #[test]
+    fn a_domain_is_what_a_component_is_compared_with() {
+        assert_eq!(Domain::Real.comparisons(), []);
+        assert_eq!([Domain::NonNegative, Domain::Positive].map(Domain::comparisons), [[(">=", 0.0)], [(">", 0.0)]]);
+        assert_eq!(Domain::Between(1.0, 2.0).comparisons(), [(">", 1.0), ("<", 2.0)]);
+        assert_eq!(Domain::Within(1.0, 2.0).comparisons(), [(">=", 1.0), ("<=", 2.0)]);
+        assert_eq!(Domain::HalfOpen(1.0, 2.0).comparisons(), [(">=", 1.0), ("<", 2.0)]);
     }
 }

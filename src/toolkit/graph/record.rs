@@ -124,7 +124,9 @@ fn written(
     (graph.value, graph.jacobian) = (value.to_vec(), jacobian.to_vec());
     graph.refusals = errors.into_inner();
     graph.refusal = refusal.first().copied().filter(|_| !graph.refusals.is_empty());
-    Ok(graph.pruned().gathered())
+    let graph = graph.pruned();
+    // Where both sides of every choice are computed, no work is shared by choices.
+    Ok(if extremes == Extremes::Ignored { graph } else { graph.gathered() })
 }
 
 /// 0 if the inputs are valid together, else the position of the error among all errors, from 1.

@@ -43,6 +43,8 @@ pub enum Extremes {
     Joined,
     /// They are NaN, as for several rows of a batch computed together.
     Nan,
+    /// Nothing is done about them, except that the zero vector has the direction 0: the graph is what one would write by hand.
+    Ignored,
 }
 
 /// The outcomes of comparisons in a run.

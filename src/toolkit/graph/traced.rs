@@ -3,7 +3,7 @@
 use super::node::{self, Binary, Node, Op, Relation, Unary};
 use super::recorder::{Escape, Extremes, ask, constant, decide, enter, escape, extremes, sides};
 use crate::number::newtype::{newtype_dual_num, newtype_number};
-use crate::number::scalar::{Leaf, Scalar, Search, choice, direction_of_length, e_minus_one, itself, norm, pi};
+use crate::number::scalar::{Leaf, Scalar, Search, choice, direction_of_length, divide, e_minus_one, itself, norm, pi};
 use num_traits::FromPrimitive;
 use std::cmp::Ordering;
 use std::fmt;
@@ -236,6 +236,7 @@ impl Scalar for Traced {
             Extremes::Computed => (length, direction()),
             Extremes::Joined => (length, choice(direction)),
             Extremes::Nan => (length, x.map(|x| x / length)),
+            Extremes::Ignored => (length, choice(|| divide(x, length))),
         }
     }
     fn angle_of(y: Self, x: Self) -> Self {
@@ -247,11 +248,14 @@ impl Scalar for Traced {
         std::array::from_fn(|k| Self(Place::Node(nodes[k])))
     }
     fn has_extremes() -> bool {
-        extremes() != Extremes::Nan
+        !matches!(extremes(), Extremes::Nan | Extremes::Ignored)
+    }
+    fn ignores_extremes() -> bool {
+        extremes() == Extremes::Ignored
     }
     // If extremes are NaN, so are uncertain results; without the test of the shortcut, all results would be uncertain.
     fn takes_shortcuts() -> bool {
-        !Self::has_extremes()
+        extremes() == Extremes::Nan
     }
     fn abs_of(x: Self) -> Self {
         Self(x.0.abs())

@@ -43,6 +43,16 @@ def test_a_scene_is_a_frame():
     assert "<table" in scene._repr_html_()
 
 
+def test_arrays_and_numbers_of_numpy_are_lists_and_numbers():
+    frames = [frame | {"time": np.float32(frame["time"]), "loads": {"guide": {"f2": np.int64(3 * k), "f3": np.float64(4 * k)}}} for k, frame in enumerate(SCENE["frames"], 1)]
+    nodes = {"rail": SCENE["nodes"]["rail"] | {"at": np.zeros(3)}, "car": {"at": np.array([1, 2, 3])}}
+    axes = {"along": {"axes": np.eye(3)[:2]}}
+    scene, expected = jointproof.scene(SCENE | {"frames": frames, "nodes": nodes, "orientations": axes}), jointproof.scene(SCENE)
+    assert all(np.array_equal(scene[column], expected[column]) for column in expected.columns)
+    with pytest.raises(TypeError, match="a scene has no set"):
+        jointproof.scene(SCENE | {"outputs": {"U1"}})
+
+
 def test_a_fault_has_its_place():
     with pytest.raises(ValueError, match='unknown key "output"'):
         jointproof.scene(SCENE | {"output": []})

@@ -65,7 +65,8 @@ fn described(formula: &dyn AnyFormula, entries: &[[usize; 2]]) -> Value {
     })
 }
 
-fn field(field: &Field) -> Value {
+/// What is said of a field.
+pub(crate) fn field(field: &Field) -> Value {
     let quantity = field.quantity;
     json!({
         "name": field.name,

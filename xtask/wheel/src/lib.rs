@@ -10,6 +10,7 @@ mod audits;
 mod batches;
 mod check;
 mod formulas;
+mod programs;
 mod rows;
 mod scene;
 mod threads;
@@ -28,6 +29,8 @@ mod _jointproof {
     use super::check::{Called, Found, Judged};
     #[pymodule_export]
     use super::formulas::{catalog, exact, kinks, linearize_at, over_arrays, value_at};
+    #[pymodule_export]
+    use super::programs::programs;
     #[pymodule_export]
     use super::scene::{Scene, Series};
 }

@@ -131,7 +131,7 @@ fn sizes_and_directions<D: Scalar>(sums: [[D; 3]; 3]) -> [(D, [D; 3]); 3] {
     };
     let numbers = choice(|| {
         let are_regular = regular(aa) & regular(bb) & regular(cc);
-        if are_regular || !D::has_extremes() {
+        if !D::ignores_extremes() && (are_regular || !D::has_extremes()) {
             flat([divided(a, aa), divided(b, bb), divided(c, cc)]).map(|x| number_if(are_regular, x))
         } else {
             irregular(sums)

@@ -5,9 +5,7 @@ pub(super) mod loops;
 
 use super::language::{File, Language, Operand, Syntax, Toolchain, files_of};
 use super::program::{Body, Lines, PartLines, WIDTH, folded};
-use super::recorded::{
-    Function, Output, Recorded, Shape, Text, bounds, description, filled, refusals, stem, unreserved,
-};
+use super::recorded::{Function, Output, Recorded, Shape, Text, description, filled, refusals, stem, unreserved};
 use jointproof::formula::Field;
 use jointproof::toolkit::graph::{Binary, Node, Op, Relation, Unary};
 use std::path::Path;
@@ -329,7 +327,7 @@ fn comment(lines: &[String]) -> String {
 fn refusal(field: &Field, code: usize) -> String {
     let name = name_of(field);
     let allowed = |x: &str| {
-        let bounds = bounds(field.quantity.domain);
+        let bounds = field.quantity.domain.comparisons();
         let bounds = bounds.iter().map(|(relation, bound)| format!(" && {x} {relation} {}", C.number(*bound)));
         format!("if (!(fabs({x}) <= DBL_MAX{})) return {code};", bounds.collect::<String>())
     };

@@ -5,7 +5,7 @@ pub(super) mod driver;
 
 use super::language::{File, Language, Operand, Syntax, Toolchain, files_of};
 use super::program::{Body, Lines, PartLines, folded};
-use super::recorded::{Function, Output, Recorded, Shape, Text, bounds, description, refusals, stem, unreserved};
+use super::recorded::{Function, Output, Recorded, Shape, Text, description, refusals, stem, unreserved};
 use jointproof::formula::Field;
 use jointproof::toolkit::graph::{Op, Relation, Unary};
 use std::collections::BTreeSet;
@@ -255,7 +255,7 @@ fn function(one: &Recorded, body: &Body, lines: &Lines, Function { name, outputs
 fn refusal(field: &Field, code: usize) -> String {
     let name = name_of(field);
     let mut conditions = vec![format!("abs({name}) <= huge(0.0_dp)")];
-    let bounds = bounds(field.quantity.domain);
+    let bounds = field.quantity.domain.comparisons();
     conditions.extend(bounds.iter().map(|(relation, bound)| format!("{name} {relation} {}", Fortran.number(*bound))));
     let condition = conditions.join(" .and. ");
     let all = if field.len() == 1 { condition } else { format!("all({condition})") };

@@ -3,7 +3,7 @@
 
 use super::c::NAMES;
 use super::language::{File, Language, Toolchain};
-use super::recorded::{Recorded, Subject, Text, bounds, stem};
+use super::recorded::{Recorded, Subject, Text, stem};
 use jointproof::formula::Field;
 use jointproof::toolkit::graph::{Binary, Node, Op, Relation, Unary};
 
@@ -73,7 +73,7 @@ fn core(one: &Recorded, inputs: &[String], (symbol, name): (String, String), res
 fn precondition(one: &Recorded) -> String {
     let bound = |field: &Field| {
         let names = components(std::slice::from_ref(field));
-        let bounds = bounds(field.quantity.domain);
+        let bounds = field.quantity.domain.comparisons();
         let of = |name: &String| {
             let bounds = bounds.iter().map(|(relation, bound)| format!("({relation} {name} {})", number(*bound)));
             bounds.collect::<Vec<_>>()

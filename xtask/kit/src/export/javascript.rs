@@ -3,7 +3,7 @@
 use super::c::{Names, common, exact_sum, signed};
 use super::language::{File, Language, Operand, Syntax, Toolchain, files_of};
 use super::program::{Body, Lines, PartLines, folded};
-use super::recorded::{Function, Output, Recorded, Subject, Text, bounds, description, refusals, stem};
+use super::recorded::{Function, Output, Recorded, Subject, Text, description, refusals, stem};
 use jointproof::formula::Field;
 use jointproof::toolkit::graph::{Node, Op, Unary};
 
@@ -140,7 +140,7 @@ fn imports<'a>(stem: &str, parts: impl Iterator<Item = &'a usize>) -> String {
 fn fields(one: &Recorded) -> String {
     let mut text = Text::from("\nexport const inputs = [\n");
     for field in one.inputs() {
-        let bounds = bounds(field.quantity.domain);
+        let bounds = field.quantity.domain.comparisons();
         let bounds =
             bounds.iter().map(|(relation, bound)| format!("(x) => x {relation} {}", JavaScript.number(*bound)));
         let (name, len) = (field.name, field.len());

@@ -3,9 +3,7 @@
 use super::c::{Names, common, signed};
 use super::language::{File, Language, Toolchain};
 use super::program::folded;
-use super::recorded::{
-    Function, Recorded, Shape, Subject, Text, bounds, description, refusals, required, stem, unreserved,
-};
+use super::recorded::{Function, Recorded, Shape, Subject, Text, description, refusals, required, stem, unreserved};
 use jointproof::formula::Field;
 use jointproof::toolkit::graph::{Node, Op, Unary};
 
@@ -205,7 +203,10 @@ fn operation(one: &Recorded, node: Node) -> String {
 fn refused(one: &Recorded) -> String {
     let inputs: Vec<_> = one.inputs().iter().map(name_of).collect();
     let bounds = one.inputs().iter().map(|field| {
-        let bounds: Vec<_> = bounds(field.quantity.domain)
+        let bounds: Vec<_> = field
+            .quantity
+            .domain
+            .comparisons()
             .iter()
             .map(|(relation, bound)| format!("lambda x: x {relation} {bound:?}"))
             .collect();

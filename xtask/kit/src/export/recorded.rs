@@ -8,7 +8,6 @@ use crate::files;
 use crate::project::Project;
 use jointproof::Error;
 use jointproof::formula::Field;
-use jointproof::formula::quantity::Domain;
 use jointproof::toolkit::graph::{Graph, Node, NotRecorded};
 use rayon::iter::{Either, IntoParallelRefIterator, ParallelIterator};
 use std::collections::HashMap;
@@ -194,18 +193,6 @@ pub(super) fn filled(texts: impl Iterator<Item = impl AsRef<str>>, width: usize)
     lines
 }
 
-/// The conditions on a component besides being finite: comparisons, as `lower`, with numbers.
-pub(super) fn bounds(domain: Domain) -> Vec<(&'static str, f64)> {
-    match domain {
-        Domain::NonNegative => vec![(">=", 0.0)],
-        Domain::Positive => vec![(">", 0.0)],
-        Domain::Between(low, high) => vec![(">", low), ("<", high)],
-        Domain::Within(low, high) => vec![(">=", low), ("<=", high)],
-        Domain::HalfOpen(low, high) => vec![(">=", low), ("<", high)],
-        _ => Vec::new(),
-    }
-}
-
 /// A name that is no reserved word of the language.
 pub(super) fn unreserved(name: &str, reserved: &[&str]) -> String {
     if reserved.contains(&name) { format!("{name}_") } else { name.to_owned() }
@@ -270,15 +257,6 @@ mod tests {
         assert_eq!(wrapped(&most), [most.replace("  ", " ")]);
         assert_eq!(wrapped(&more), ["a".repeat(44), "b".repeat(46)]);
         assert_eq!(wrapped(""), [""]);
-    }
-
-    #[test]
-    fn a_domain_is_what_a_component_is_compared_with() {
-        assert_eq!(bounds(Domain::Real), []);
-        assert_eq!([bounds(Domain::NonNegative), bounds(Domain::Positive)], [[(">=", 0.0)], [(">", 0.0)]]);
-        assert_eq!(bounds(Domain::Between(1.0, 2.0)), [(">", 1.0), ("<", 2.0)]);
-        assert_eq!(bounds(Domain::Within(1.0, 2.0)), [(">=", 1.0), ("<=", 2.0)]);
-        assert_eq!(bounds(Domain::HalfOpen(1.0, 2.0)), [(">=", 1.0), ("<", 2.0)]);
     }
 
     #[test]

@@ -10,10 +10,12 @@ Every formula is a function in the module of its family::
     0.6
 
 ``formulas`` has all of them by identifier. :func:`check` judges a function of yours, :func:`audit` proves formulas again,
-:func:`scene` evaluates scene files, :func:`plot` draws an output and its derivative. ``jointproof.jax``, ``jointproof.torch`` and ``jointproof.blocks`` bring formulas to
+:func:`scene` evaluates scene files, :func:`plot` draws an output and its derivative. ``jointproof.arrays``, ``jointproof.jax``,
+``jointproof.torch`` and ``jointproof.blocks`` bring formulas to
 where arrays are those of others.
 """
 
+import importlib
 import json
 import sys
 from types import MappingProxyType, ModuleType
@@ -81,5 +83,22 @@ def _families():
         sys.modules[path].__all__.append(formula.__name__)
 
 
+def _element(name):
+    if name.startswith("__"):
+        raise AttributeError(name)
+    from .arrays import element
+
+    return getattr(element, name)
+
+
 _families()
+#: The elements are there beside the formulas of the family.
+element.__getattr__ = _element  # noqa: F821
 del _families
+
+
+def __getattr__(name):
+    # What takes time to import is imported when it is asked for.
+    if name in ("arrays", "blocks"):
+        return importlib.import_module(f".{name}", __name__)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

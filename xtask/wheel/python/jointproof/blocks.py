@@ -7,11 +7,16 @@ has alone, so that nothing depends on how rows are shared out.
 
 import json
 import math
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from . import auditing
 from .errors import InputError
+
+if TYPE_CHECKING:
+    from .formula import Formula, Linearized
 
 
 class Summary:
@@ -24,7 +29,9 @@ class Summary:
     #: Numbers whose first bits agree, sign, exponent and eight bits of the fraction, are in one class.
     _CUT = 44
 
-    def __init__(self, formula, columns, refused=0, first_refused=None, rows=0):
+    def __init__(
+        self, formula: str, columns: dict[str, Any], refused: int = 0, first_refused: int | None = None, rows: int = 0
+    ) -> None:
         self.formula = formula
         self.columns = columns
         self.refused = refused
@@ -32,7 +39,7 @@ class Summary:
         self.rows = rows
 
     @classmethod
-    def of(cls, formula, *inputs, first_row=0):
+    def of(cls, formula: "Formula", *inputs: Any, first_row: int = 0) -> "Summary":
         """Of the value and the entries of the Jacobian at these rows, of which the first has this number."""
         refused, first_refused = 0, None
         try:
@@ -63,7 +70,7 @@ class Summary:
             "classes": dict(zip(keys.tolist(), counts.tolist())),
         }
 
-    def __add__(self, other):
+    def __add__(self, other: "Summary") -> "Summary":
         if self.formula != other.formula:
             raise ValueError(f"summaries of two formulas: {self.formula}, {other.formula}")
         columns = {name: _joined(self.columns[name], other.columns[name]) for name in self.columns}
@@ -74,7 +81,7 @@ class Summary:
     def __eq__(self, other):
         return isinstance(other, Summary) and self.json() == other.json()
 
-    def quantile(self, name, q):
+    def quantile(self, name: str, q: float) -> float:
         """A number that so large a share of the results of this name do not exceed, to a part in 256 of itself."""
         classes = self.columns[name]["classes"]
         if not classes:
@@ -89,7 +96,7 @@ class Summary:
                 return edge
         return edges[-1][0]
 
-    def json(self):
+    def json(self) -> str:
         """All of it as text: the same bytes, however the rows were shared out."""
         return json.dumps(
             {
@@ -115,7 +122,7 @@ class Summary:
         return "\n".join(lines)
 
 
-def component_names(fields):
+def component_names(fields: Iterable[Any]) -> list[str]:
     """The names of all components in order: ``f2``, ``e1a[2]``, ``k[0,1]``."""
     names = []
     for field in fields:
@@ -143,13 +150,13 @@ def _edge(key, cut):
     return float(np.array([key << cut], np.int64).view(np.float64)[0])
 
 
-def value(formula, *args, **kwargs):
+def value(formula: "str | Formula", *args: Any, **kwargs: Any) -> Any:
     """The named results over arrays of Dask, block by block. Axes of vectors are in one block."""
     formula, inputs = _bound(formula, args, kwargs)
     return formula.Value(*_over_dask(formula, formula, inputs, [_core(field.shape) for field in formula.outputs]))
 
 
-def linearize(formula, *args, **kwargs):
+def linearize(formula: "str | Formula", *args: Any, **kwargs: Any) -> "Linearized":
     """Value and Jacobian over arrays of Dask, block by block."""
     from .formula import Linearized
 
@@ -159,7 +166,7 @@ def linearize(formula, *args, **kwargs):
     return Linearized(formula.Value(*results), formula.jacobian_of(array))
 
 
-def summary(formula, *args, **kwargs):
+def summary(formula: "str | Formula", *args: Any, **kwargs: Any) -> Any:
     """The summary of all rows of arrays of Dask, to be computed: ``summary(…).compute()``. Rows are along the first axis."""
     import dask
     import dask.array as da
@@ -185,7 +192,7 @@ def _sum(parts):
     return first
 
 
-def audit(*patterns, shards, samples=None, seed=None):
+def audit(*patterns: "str | Formula", shards: int, samples: int | None = None, seed: int | None = None) -> Any:
     """The audits of formulas, each in so many parts, to be computed by Dask: byte for byte those of one machine."""
     import dask
 
@@ -202,19 +209,19 @@ class arrow:
     """A function of record batches, for Spark's ``mapInArrow`` and Ray's ``map_batches``: columns of the names of the inputs, by
     components as ``e1a[2]``, become columns of the results and of the entries of the Jacobian."""
 
-    def __init__(self, formula):
-        self.id = _found(formula).id
+    def __init__(self, formula: "str | Formula") -> None:
+        self.id: str = _found(formula).id
 
-    def __call__(self, batches):
+    def __call__(self, batches: Iterable[Any]) -> Iterator[Any]:
         return map(self.one, batches)
 
-    def schema(self):
+    def schema(self) -> list[str]:
         """The names of the columns that come out, all of doubles."""
         formula = _found(self.id)
         outputs, by = component_names(formula.outputs), component_names(formula.inputs)
         return outputs + [f"∂{outputs[i]}/∂{by[j]}" for i, j in formula.entries]
 
-    def one(self, batch):
+    def one(self, batch: Any) -> Any:
         """Of one record batch."""
         import pyarrow
 

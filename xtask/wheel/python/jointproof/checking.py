@@ -2,10 +2,15 @@
 
 import html
 import inspect
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from . import _jointproof
+
+if TYPE_CHECKING:
+    from .formula import Formula
 
 _COLOURS = {"right": "#cfe8cf", "inaccurate": "#f6e3a1", "wrong": "#f0b4ae"}
 
@@ -20,20 +25,20 @@ class Checked:
     was found and what is exact at ``inputs``; ``noticed`` are remarks on how the function was called. It prints as text, and a
     notebook shows the parts and the map of entries."""
 
-    def __init__(self, formula, judged, noticed):
-        self.formula = formula.id
-        self.is_well = judged.is_well
-        self.text = judged.text
-        self.causes = judged.causes
-        self.parts = judged.parts
-        self.numbers = judged.numbers
+    def __init__(self, formula: "Formula", judged: Any, noticed: list[str]) -> None:
+        self.formula: str = formula.id
+        self.is_well: bool = judged.is_well
+        self.text: str = judged.text
+        self.causes: list[str] = judged.causes
+        self.parts: list[Any] = judged.parts
+        self.numbers: list[Any] = judged.numbers
         self.noticed = noticed
         self._formula = formula
 
     def __repr__(self):
         return self.text.rstrip()
 
-    def __bool__(self):
+    def __bool__(self) -> bool:
         return self.is_well
 
     def _repr_html_(self):
@@ -71,7 +76,17 @@ def _cell(number):
     return f'<td style="background:{colour};color:#222" title="{html.escape(title)}">{html.escape(number.name + share)}</td>'
 
 
-def check(formula, function, jacobian=None, *, samples=None, seed=None, invalid=True, vectorized=False, strict=False):
+def check(
+    formula: "str | Formula",
+    function: Callable[..., Any],
+    jacobian: Any = None,
+    *,
+    samples: int | None = None,
+    seed: int | None = None,
+    invalid: bool = True,
+    vectorized: bool = False,
+    strict: bool = False,
+) -> Checked:
     """Judges a function that computes a formula: at golden points, on kinks and beside them, and at random, each twice.
 
     ``function`` is called with the inputs by name, if its parameters have the names of the formula's inputs, else by place, in

@@ -1,5 +1,7 @@
 """What can be wrong with a call."""
 
+from typing import Any
+
 
 class InputError(ValueError):
     """Rows of a call were refused. All others are computed; the results of these are NaN.
@@ -10,7 +12,17 @@ class InputError(ValueError):
     are refused. ``results``: what the call would have returned.
     """
 
-    def __init__(self, formula, told, index, results):
+    formula: str
+    row: int
+    index: tuple[int, ...]
+    input: str | None
+    value: float | None
+    allowed: str | None
+    kind: str
+    count: int
+    results: Any
+
+    def __init__(self, formula: str, told: dict[str, Any], index: tuple[int, ...], results: Any) -> None:
         self.formula = formula
         self.row = told["row"]
         self.index = index
@@ -23,7 +35,7 @@ class InputError(ValueError):
         self._reason = told["reason"]
         super().__init__(self._said())
 
-    def renumbered(self, row, index):
+    def renumbered(self, row: int, index: tuple[int, ...]) -> "InputError":
         """The same in a larger call, of which this was a block: the row's number there, and its index."""
         return InputError(self.formula, self._told() | {"row": row}, index, self.results)
 
@@ -45,7 +57,7 @@ class InputError(ValueError):
 class ShapeError(ValueError):
     """An array has not the shape that its field needs. ``name``: the field."""
 
-    def __init__(self, name, said):
+    def __init__(self, name: str, said: str) -> None:
         self.name = name
         super().__init__(f"{name}: {said}")
 

@@ -4,6 +4,7 @@ import inspect
 import keyword
 import math
 from collections import namedtuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -24,6 +25,14 @@ class Field:
     """An input or an output: ``name``, ``latex``, ``shape``, ``unit``, ``allowed`` (in words), ``meaning``."""
 
     __slots__ = ("name", "latex", "shape", "unit", "allowed", "meaning", "size", "start")
+    name: str
+    latex: str
+    shape: tuple[int, ...]
+    unit: str
+    allowed: str
+    meaning: str
+    size: int
+    start: int
 
     def __init__(self, said, start):
         self.name = named(said["name"])
@@ -46,6 +55,10 @@ class Field:
         """The places of its components among those of all fields."""
         return slice(self.start, self.start + self.size)
 
+    def misshapen(self, shape):
+        """The error of an array of this shape."""
+        return ShapeError(self.name, f"shape {list(shape)}; allowed is […, {', '.join(map(str, self.shape))}]")
+
     def of(self, packed):
         """Its part of an array whose last axis has the components of all fields: a view."""
         part = packed[..., self.places]
@@ -59,7 +72,7 @@ def _field(*parts):
     return field
 
 
-def _fields(said):
+def fields_of(said):
     fields, start = [], 0
     for field in said:
         fields.append(Field(field, start))
@@ -76,7 +89,7 @@ class Gradient:
     def __init__(self, rows, output, inputs):
         self._rows, self._output, self._inputs = rows, output, inputs
 
-    def __getattr__(self, name):
+    def __getattr__(self, name: str) -> Any:
         if name.startswith("__"):
             raise AttributeError(name)
         if name not in self._inputs:
@@ -105,11 +118,12 @@ class Jacobian:
     of the inputs in order; ``jacobian.fc.f2`` is ∂fc/∂f2, a view of it."""
 
     __slots__ = ("array", "_outputs", "_inputs")
+    array: Any
 
     def __init__(self, array, outputs, inputs):
         self.array, self._outputs, self._inputs = array, outputs, inputs
 
-    def __getattr__(self, name):
+    def __getattr__(self, name: str) -> Any:
         if name.startswith("__"):
             raise AttributeError(name)
         if name not in self._outputs:
@@ -133,8 +147,11 @@ class Jacobian:
         return Jacobian, (self.array, self._outputs, self._inputs)
 
 
-Linearized = namedtuple("Linearized", ["value", "jacobian"])
-Linearized.__doc__ = "What ``linearize`` returns: the named results, and their derivatives."
+class Linearized(NamedTuple):
+    """What ``linearize`` returns: the named results, and their derivatives."""
+
+    value: Any
+    jacobian: Any
 
 
 class Formula:
@@ -144,19 +161,19 @@ class Formula:
     doubles are read where they are, whatever their strides. Numbers in, numbers out.
     """
 
-    def __init__(self, place, said):
+    def __init__(self, place: int, said: dict[str, Any]) -> None:
         self._place = place
-        self.id = said["id"]
-        self.title = said["title"]
-        self.source = said["source"]
-        self.provenance = said["provenance"]
-        self.latex = said["latex"]
-        self.eta = said["eta"]
-        self.eta_jacobian = said["eta_jacobian"]
-        self.accuracy = said["accuracy"]
-        self.sizes = said["sizes"]
-        self.inputs = _fields(said["inputs"])
-        self.outputs = _fields(said["outputs"])
+        self.id: str = said["id"]
+        self.title: str = said["title"]
+        self.source: str = said["source"]
+        self.provenance: str = said["provenance"]
+        self.latex: str = said["latex"]
+        self.eta: float = said["eta"]
+        self.eta_jacobian: float = said["eta_jacobian"]
+        self.accuracy: str = said["accuracy"]
+        self.sizes: str = said["sizes"]
+        self.inputs: tuple[Field, ...] = fields_of(said["inputs"])
+        self.outputs: tuple[Field, ...] = fields_of(said["outputs"])
         self.entries = tuple(map(tuple, said["entries"]))
         self.n = sum(field.size for field in self.inputs)
         self.m = sum(field.size for field in self.outputs)
@@ -166,7 +183,7 @@ class Formula:
         family, name = self.id.split(".")
         name = named(name)
         self.__name__, self.__module__ = name, f"jointproof.{family}"
-        self.Value = namedtuple(f"{_capitals(name)}Value", self._outputs, module=self.__module__)
+        self.Value: Any = namedtuple(f"{_capitals(name)}Value", self._outputs, module=self.__module__)
         self.Value.__doc__ = f"The results of {self.id}."
         # A result that is pickled finds its type by the formula.
         self.Value.__reduce__ = lambda value, rebuilt=_Rebuilt(self.id): (rebuilt, tuple(value))
@@ -182,7 +199,7 @@ class Formula:
 
         return find, (self.id,)
 
-    def __call__(self, *args, out=None, **kwargs):
+    def __call__(self, *args: Any, out: Any = None, **kwargs: Any) -> Any:
         if out is None and _has_blocks(args, kwargs):
             from . import blocks
 
@@ -195,7 +212,7 @@ class Formula:
         told = _jointproof.over_arrays(self._place, shape, arrays, list(outputs), None)
         return self._refused_or(outputs, told, shape)
 
-    def linearize(self, *args, out=None, **kwargs):
+    def linearize(self, *args: Any, out: Any = None, **kwargs: Any) -> Any:
         """Value and Jacobian together: ``value, jacobian = formula.linearize(…)``; ``jacobian.fc.f2`` is ∂fc/∂f2.
 
         ``out``: what an earlier call returned, or a value and an array for the Jacobian, to be written instead of new memory.
@@ -218,28 +235,28 @@ class Formula:
         told = _jointproof.over_arrays(self._place, shape, arrays, list(value), array)
         return self._refused_or(Linearized(value, self.jacobian_of(array)), told, shape)
 
-    def exact(self, *args, number=str, **kwargs):
+    def exact(self, *args: Any, number: Any = str, **kwargs: Any) -> Any:
         """The named results in 237 bits, rounded nowhere else: strings with the fewest digits that identify them, or what
         ``number`` makes of these, as ``mpmath.mpf`` does (set ``mpmath.mp.prec = 237``)."""
         return self._exact(args, kwargs, number, False).value
 
-    def exact_linearize(self, *args, number=str, **kwargs):
+    def exact_linearize(self, *args: Any, number: Any = str, **kwargs: Any) -> Any:
         """Value and Jacobian as :meth:`exact` has numbers, the Jacobian by automatic differentiation. It is None on a switch,
         where the formula has no derivative, and either side's are as good."""
         return self._exact(args, kwargs, number, True)
 
-    def kinks(self):
+    def kinks(self) -> list[dict[str, Any]]:
         """Where there is no derivative: the ``condition`` in LaTeX, a point ``at`` it by components, a direction ``across``,
         and for every component of the outputs the derivatives on both sides, ``one_sided``."""
         import json
 
         return json.loads(_jointproof.kinks(self._place))
 
-    def jacobian_of(self, array):
+    def jacobian_of(self, array: Any) -> Jacobian:
         """The array of a Jacobian by names."""
         return Jacobian(array, self._outputs, self._inputs)
 
-    def unpack(self, components):
+    def unpack(self, components: Any) -> dict[str, Any]:
         """Inputs from an array whose last axis has all their components in order, by names: views."""
         return {field.name: field.of(components) for field in self.inputs}
 
@@ -274,27 +291,10 @@ class Formula:
         return arrays, shape
 
     def _bound(self, args, kwargs):
-        names = self._input_names
-        if len(args) > len(names):
-            raise TypeError(f"{self.id} takes {len(names)} inputs, {', '.join(names)}; {len(args)} were given")
-        given = dict(zip(names, args))
-        for name, x in kwargs.items():
-            if name not in self._inputs:
-                raise TypeError(f"{self.id} has no input {name!r}; it has {', '.join(names)}")
-            if name in given:
-                raise TypeError(f"{self.id}: {name} is given twice")
-            given[name] = x
-        missing = [name for name in names if name not in given]
-        if missing:
-            raise TypeError(f"{self.id} needs {', '.join(missing)}")
-        return [given[name] for name in names]
+        return bound(self.id, self._input_names, args, kwargs)
 
     def _broadcast(self, leading):
-        try:
-            return np.broadcast_shapes(*leading)
-        except ValueError:
-            shapes = ", ".join(f"{name} {list(one)}" for name, one in zip(self._input_names, leading))
-            raise ShapeError(self.id, f"the shapes of the inputs do not broadcast: {shapes}") from None
+        return broadcast(self._input_names, leading, self.id)
 
     def _value_of(self, numbers, count):
         packed = _packed(numbers, count)
@@ -331,6 +331,32 @@ class Formula:
         raise InputError(self.id, told, index, results)
 
 
+def bound(id, names, args, kwargs):
+    """Inputs in order, given by place or by name."""
+    if len(args) > len(names):
+        raise TypeError(f"{id} takes {len(names)} inputs, {', '.join(names)}; {len(args)} were given")
+    given = dict(zip(names, args))
+    for name, x in kwargs.items():
+        if name not in names:
+            raise TypeError(f"{id} has no input {name!r}; it has {', '.join(names)}")
+        if name in given:
+            raise TypeError(f"{id}: {name} is given twice")
+        given[name] = x
+    missing = [name for name in names if name not in given]
+    if missing:
+        raise TypeError(f"{id} needs {', '.join(missing)}")
+    return [given[name] for name in names]
+
+
+def broadcast(names, leading, what="inputs"):
+    """The shape of arrays of these shapes together."""
+    try:
+        return np.broadcast_shapes(*leading)
+    except ValueError:
+        shapes = ", ".join(f"{name} {list(one)}" for name, one in zip(names, leading))
+        raise ShapeError(what, f"the shapes of the inputs do not broadcast: {shapes}") from None
+
+
 class _Rebuilt:
     """Makes the results of a formula again."""
 
@@ -361,7 +387,7 @@ def _array(field, x):
         array = np.require(array, np.float64, "A")
     axes = len(field.shape)
     if axes and array.shape[array.ndim - axes :] != field.shape:
-        raise ShapeError(field.name, f"shape {list(array.shape)}; allowed is […, {', '.join(map(str, field.shape))}]")
+        raise field.misshapen(array.shape)
     return array
 
 
@@ -413,13 +439,16 @@ def docstring(formula):
     lines = [f"{formula.title}.", ""]
     lines += [f"    {line.strip()}" for line in formula.latex.split(r"\\")]
     for title, fields in (("Inputs", formula.inputs), ("Outputs", formula.outputs)):
-        lines += ["", f"{title}:"]
-        for field in fields:
-            shape = f"{list(field.shape)}, " if field.shape else ""
-            lines.append(f"    {field.name}: {field.meaning} ({shape}unit {field.unit}; {field.allowed})")
+        lines += ["", f"{title}:", *map(described, fields)]
     lines += ["", f"Accuracy: {formula.accuracy}, inputs {formula.sizes} in size."]
     lines += [f"Source: {formula.source} ({formula.provenance})."]
     return "\n".join(lines)
+
+
+def described(field):
+    """A field, as documentation has it."""
+    shape = f"{list(field.shape)}, " if field.shape else ""
+    return f"    {field.name}: {field.meaning} ({shape}unit {field.unit}; {field.allowed})"
 
 
 def made(place, said):

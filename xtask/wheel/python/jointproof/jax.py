@@ -3,70 +3,76 @@
     friction = jointproof.jax.operation("slot.friction")
     jax.jit(jax.vmap(jax.grad(lambda f2: friction(f2=f2, …).fc)))
 
-The values and derivatives are those of the formula in doubles, bit for bit, computed on the processor by a callback; so
-``jax_enable_x64`` must be set. Forward and reverse derivatives of first order are there. What the formula refuses is an error.
+A formula is that of :mod:`jointproof.arrays`, on the device and in the precision of its inputs. Its first derivative is the Jacobian
+in closed form, which is proved, and what is derived from that is JAX's. An automatic Jacobian is JAX's altogether.
 """
 
+from collections.abc import Callable
 from functools import lru_cache
+from typing import TYPE_CHECKING, Any
 
 import jax
-import jax.numpy as jnp
-import numpy as np
+from jax.experimental import checkify
+
+from . import arrays
+from .arrays._function import in_one_library
+
+if TYPE_CHECKING:
+    from .formula import Formula
 
 
-def operation(formula):
-    """The formula as a function of JAX, called as the formula is; derivatives go through its own Jacobian."""
-    from . import find
-
-    return _operation(find(formula).id)
+def operation(formula: "str | Formula", *, checked: bool = False) -> Callable[..., Any]:
+    """The formula as a function of JAX, called as the formula is. What is not allowed gives NaN, or with ``checked`` an error, which a
+    compiled function returns by :func:`jax.experimental.checkify.checkify`."""
+    return _operation(arrays.there(formula).id, checked)
 
 
 @lru_cache
-def _operation(id):
-    from . import find
+def _operation(id, checked):
+    return ruled(arrays.there(id), checked)
 
-    formula = find(id)
 
-    def linearized(*inputs):
-        value, jacobian = formula.linearize(*map(np.asarray, inputs))
-        return (*map(np.asarray, value), jacobian.array)
-
-    def value_of(*inputs):
-        return tuple(map(np.asarray, formula(*map(np.asarray, inputs))))
-
-    def values_and_shape(inputs):
-        if not jax.config.jax_enable_x64:
-            raise ValueError(f"{id}: JAX computes in single precision; set jax_enable_x64")
-        inputs = tuple(jnp.asarray(x, jnp.float64) for x in inputs)
-        leading = (x.shape[: x.ndim - len(field.shape)] for field, x in zip(formula.inputs, inputs))
-        return inputs, jnp.broadcast_shapes(*leading)
-
-    def results(shape):
-        return tuple(jax.ShapeDtypeStruct(shape + field.shape, jnp.float64) for field in formula.outputs)
-
-    @jax.custom_jvp
-    def operation(*inputs):
-        inputs, shape = values_and_shape(inputs)
-        return jax.pure_callback(value_of, results(shape), *inputs, vmap_method="broadcast_all")
-
-    @operation.defjvp
-    def _(primals, tangents):
-        inputs, shape = values_and_shape(primals)
-        wanted = (*results(shape), jax.ShapeDtypeStruct((*shape, formula.m, formula.n), jnp.float64))
-        *value, jacobian = jax.pure_callback(linearized, wanted, *inputs, vmap_method="broadcast_all")
-        tangents = [_broadcast(t, shape + field.shape) for field, t in zip(formula.inputs, tangents)]
-        packed = jnp.concatenate([t.reshape(*shape, field.size) for field, t in zip(formula.inputs, tangents)], axis=-1)
-        change = jnp.einsum("...mn,...n->...m", jacobian, packed)
-        changes = (change[..., field.places].reshape(shape + field.shape) for field in formula.outputs)
-        return tuple(value), tuple(changes)
+def ruled(function, checked=False):
+    """A function over arrays with its own Jacobian as its derivative."""
+    value = function.value if function.entries is None else _with_rule(function)
 
     def called(*args, **kwargs):
-        return formula.Value(*operation(*formula._bound(args, kwargs)))
+        lib, inputs = in_one_library([_array(x) for x in function.formula._bound(args, kwargs)])
+        numbers, shape = function.components(lib, inputs)
+        if checked:
+            _check(function, lib, numbers)
+        return function.packed(lib, value(lib, *numbers), shape)
 
-    called.__name__, called.__doc__, called.__signature__ = formula.__name__, formula.__doc__, formula.__signature__
+    called.__name__, called.__doc__, called.__signature__ = function.__name__, function.__doc__, function.__signature__
     return called
 
 
-def _broadcast(tangent, shape):
-    """A tangent of the shape of the call; a field's own axes are its last ones."""
-    return jnp.broadcast_to(jnp.asarray(tangent, jnp.float64), shape)
+def _with_rule(function):
+    """The value, with the Jacobian of the formula as its derivative."""
+
+    value = jax.custom_jvp(function.value, nondiff_argnums=(0,))
+
+    def rule(lib, primals, tangents):
+        values, entries = function.linearized(lib, *primals)
+        changes = [None] * len(values)
+        for (i, j), entry in zip(function.entries, entries):
+            if type(tangents[j]) is not jax.custom_derivatives.SymbolicZero:
+                term = entry * tangents[j]
+                changes[i] = term if changes[i] is None else changes[i] + term
+        return values, tuple(lib.xp.zeros_like(y) if change is None else change for y, change in zip(values, changes))
+
+    value.defjvp(rule, symbolic_zeros=True)
+    return value
+
+
+def _array(x):
+    """An array of JAX; a number takes the precision of the others."""
+    return x if isinstance(x, (jax.Array, float, int)) else jax.numpy.asarray(x)
+
+
+def _check(function, lib, numbers):
+    if isinstance(numbers[0], jax.core.Tracer):
+        allowed = "; ".join(f"{field.name}: {field.allowed}" for field in function.formula.inputs)
+        checkify.check(lib.xp.all(function._accepted(lib, *numbers)), f"{function.id}: an input is not allowed; allowed are {allowed}")
+    else:
+        function.check(lib, numbers)

@@ -1,32 +1,59 @@
 """An output and its derivative along an input, drawn as SVG: no other package is needed, and the bytes are the same everywhere."""
 
+import os
+from typing import TYPE_CHECKING, Any
+
 import numpy as np
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from .formula import Formula
 
 _WIDTH, _HEIGHT, _LEFT, _RIGHT, _TOP, _BETWEEN, _BELOW = 640, 170, 70, 20, 24, 34, 44
 _POINTS = 401
 
 
 class Plot:
-    """A drawing. A notebook shows it; :meth:`save` writes it; ``svg`` is its text."""
+    """A drawing. A notebook shows it; :meth:`save` writes it; ``svg`` is its text; :meth:`draw` draws it with Matplotlib."""
 
-    def __init__(self, svg):
+    def __init__(self, svg: str, along: str, x: Any, panels: list[Any]) -> None:
         self.svg = svg
+        self._along, self._x, self._panels = along, x, panels
 
     def _repr_svg_(self):
         return self.svg
 
-    def save(self, path):
+    def save(self, path: str | os.PathLike[str]) -> None:
         """Writes the drawing to a file."""
         with open(path, "w", encoding="utf-8", newline="\n") as file:
             file.write(self.svg)
 
+    def draw(self, axes: Any = None) -> Any:
+        """The same with Matplotlib: into two axes, the output's and its derivative's, or into a new figure. Returns the axes."""
+        if axes is None:
+            from matplotlib import pyplot
 
-def plot(formula, output, along, between, **inputs):
+            _, axes = pyplot.subplots(2, sharex=True)
+        for one, (name, y, breaks) in zip(axes, self._panels, strict=True):
+            for start, end in zip([0, *breaks], [*breaks, len(y)]):
+                one.plot(self._x[start:end], y[start:end], color="C0")
+            for k in self._panels[1][2]:
+                one.axvline((self._x[k - 1] + self._x[k]) / 2, color="C3", linestyle="--")
+            one.set_ylabel(name)
+        axes[1].set_xlabel(self._along)
+        return axes
+
+
+def plot(formula: "str | Formula", output: str, along: str, between: tuple[float, float], **inputs: "ArrayLike") -> Plot:
     """An output, and its derivative by the input ``along``, which goes from the first to the second of ``between``; the other
     inputs stay as they are given. Lines are broken where the derivative jumps."""
     from . import find
 
     formula = find(formula)
+    for name, known, what in ((output, formula._outputs, "output"), (along, formula._inputs, "input")):
+        if name not in known:
+            raise ValueError(f"{formula.id} has no {what} {name!r}; it has {', '.join(known)}")
     x = np.linspace(*map(float, between), _POINTS)
     value, jacobian = formula.linearize(**inputs, **{along: x})
     y, slope = getattr(value, output), jacobian[output][along]
@@ -45,7 +72,7 @@ def plot(formula, output, along, between, **inputs):
     for k, (name, numbers, breaks) in enumerate(panels):
         parts += _panel(x, numbers, breaks, jumps, _TOP + k * (_HEIGHT + _BETWEEN), name)
     parts += _labels(x, _TOP + 2 * _HEIGHT + _BETWEEN, along)
-    return Plot("\n".join([*parts, "</svg>", ""]))
+    return Plot("\n".join([*parts, "</svg>", ""]), along, x, panels)
 
 
 def _jumps(slope):

@@ -3,32 +3,38 @@
 import json
 import os
 import warnings
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
 
 from . import _jointproof
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
 
 
 class Scene:
     """The results of a scene: ``title``, ``times``, ``counts`` (how often each formula was evaluated), ``warnings``, ``notes``
     (columns of tables that were ignored), and a column for every output of every element: ``scene["guide", "FN"]``, a row for every state, NaN where the output is not there."""
 
-    def __init__(self, results):
+    def __init__(self, results: Any) -> None:
         import numpy as np
 
-        self.title = results.title
-        self.times = np.array(results.times)
-        self.counts = dict(results.counts)
-        self.warnings = results.warnings
-        self.notes = results.notes
-        self.columns = {(series.element, series.output): series.values for series in results.series}
+        self.title: str = results.title
+        self.times: NDArray[np.float64] = np.array(results.times)
+        self.counts: dict[str, int] = dict(results.counts)
+        self.warnings: list[str] = results.warnings
+        self.notes: list[str] = results.notes
+        self.columns: dict[tuple[str, str], NDArray[np.float64]] = {(series.element, series.output): series.values for series in results.series}
 
-    def __getitem__(self, element_and_output):
+    def __getitem__(self, element_and_output: tuple[str, str]) -> "NDArray[np.float64]":
         values = self.columns[element_and_output]
         return values[:, 0] if values.shape[1] == 1 else values
 
     def __repr__(self):
         return f"<scene {self.title!r}: {len(self.times)} states, {len(self.columns)} outputs>"
 
-    def frame(self):
+    def frame(self) -> Any:
         """A frame of pandas: the times as its index, a column for every component of an output of an element."""
         import pandas as pd
 
@@ -46,7 +52,14 @@ class Scene:
         return self.frame()._repr_html_()
 
 
-def scene(source, *, exact=False, nodes=None, loads=None, pressures=None):
+def scene(
+    source: str | os.PathLike[str] | Mapping[str, Any],
+    *,
+    exact: bool = False,
+    nodes: Any = None,
+    loads: Any = None,
+    pressures: Any = None,
+) -> Scene:
     """Evaluates a scene: the path of a file, its text, or a dict, in which arrays of NumPy are lists; in doubles, or in 237 bits rounded once.
     A file may name one of arrays beside it, as ``numpy.savez`` writes it.
 
@@ -54,7 +67,7 @@ def scene(source, *, exact=False, nodes=None, loads=None, pressures=None):
     with ``time``, ``node`` and some of ``u1`` … ``ur3``, ``loads`` with ``time``, ``element`` and some of ``f1`` … ``m3``, and ``pressures`` with
     ``time``, ``node`` and ``pressure``."""
     folder = None
-    if isinstance(source, dict):
+    if isinstance(source, Mapping):
         text = json.dumps(source, default=_plain)
     elif isinstance(source, str) and source.lstrip().startswith("{"):
         text = source

@@ -3,62 +3,100 @@
     friction = jointproof.torch.operation("slot.friction")
     friction(f2=f2, …).fc.sum().backward()
 
-Tensors are of doubles, in memory. First derivatives are those of the formula; a second derivative is refused.
+A formula is that of :mod:`jointproof.arrays`, on the device and in the precision of its tensors. Its first derivative is the Jacobian
+in closed form, which is proved, and what is derived from that is PyTorch's. An automatic Jacobian is PyTorch's altogether, and so is every
+derivative of what ``torch.compile`` compiles.
 """
 
-from functools import lru_cache
+from collections.abc import Callable
+from functools import lru_cache, reduce
+from typing import TYPE_CHECKING, Any
 
+import array_api_compat.torch
 import torch
+from torch.autograd import forward_ad
+
+from . import arrays
+from .arrays._function import Library
+
+if TYPE_CHECKING:
+    from .formula import Formula
 
 
-def operation(formula):
-    """The formula as a function of tensors, called as the formula is; derivatives go through its own Jacobian."""
-    from . import find
-
-    return _operation(find(formula).id)
+def operation(formula: "str | Formula", *, checked: bool = False) -> Callable[..., Any]:
+    """The formula as a function of tensors, called as the formula is. What is not allowed gives NaN, or with ``checked`` the formula's
+    error."""
+    return _operation(arrays.there(formula).id, checked)
 
 
 @lru_cache
-def _operation(id):
-    from . import find
+def _operation(id, checked):
+    function = arrays.there(id)
+    value = function.value if function.entries is None else _ruled(function)
 
-    formula = find(id)
+    def called(*args, **kwargs):
+        lib, inputs = _tensors(function.formula._bound(args, kwargs))
+        numbers, shape = function.components(lib, inputs, checked)
+        return function.packed(lib, value(lib, *numbers), shape)
+
+    called.__name__, called.__doc__, called.__signature__ = function.__name__, function.__doc__, function.__signature__
+    return called
+
+
+# One for each precision, made beforehand: what a compiler traces makes none.
+_LIBRARIES = {dtype: Library(array_api_compat.torch, dtype) for dtype in (torch.float64, torch.float32, torch.bfloat16, torch.float16)}
+
+
+def _tensors(given):
+    """The library of some inputs, and these as tensors in one precision on one device; without tensors they are doubles."""
+    tensors = [x for x in given if isinstance(x, torch.Tensor)]
+    dtype, device = torch.float64, tensors[0].device if tensors else None
+    floating = [x.dtype for x in tensors if x.dtype.is_floating_point]
+    if floating:
+        dtype = reduce(torch.promote_types, floating)
+    return _LIBRARIES[dtype], [torch.as_tensor(x, dtype=dtype, device=device) for x in given]
+
+
+def _ruled(function):
+    """The value, with the Jacobian of the formula as its derivative."""
 
     class Operation(torch.autograd.Function):
+        generate_vmap_rule = True
+
         @staticmethod
-        def forward(ctx, *inputs):
-            value, jacobian = formula.linearize(*(x.detach().numpy() for x in inputs))
-            ctx.save_for_backward(torch.as_tensor(jacobian.array), *inputs)
-            return tuple(torch.as_tensor(y, dtype=torch.float64) for y in value)
+        def forward(lib, *numbers):
+            # A result may not be an input itself.
+            return tuple(y.clone() for y in function.value(lib, *numbers))
+
+        @staticmethod
+        def setup_context(ctx, inputs, output):
+            ctx.lib, *numbers = inputs
+            ctx.save_for_backward(*numbers)
+            ctx.save_for_forward(*numbers)
 
         @staticmethod
         def backward(ctx, *gradients):
-            return Pulled.apply(*ctx.saved_tensors, *gradients)
-
-    class Pulled(torch.autograd.Function):
-        """Gradients by the results, pulled back to the inputs by the Jacobian. It is linear in these gradients; to differentiate it
-        by the inputs would take the second derivative of the formula."""
-
-        @staticmethod
-        def forward(ctx, jacobian, *both):
-            inputs, gradients = both[: len(formula.inputs)], both[len(formula.inputs) :]
-            ctx.save_for_backward(jacobian)
-            shape = jacobian.shape[:-2]
-            parts = [g.reshape(*shape, field.size) for field, g in zip(formula.outputs, gradients)]
-            packed = torch.einsum("...mn,...m->...n", jacobian, torch.cat(parts, dim=-1))
-            backs = (packed[..., field.places].reshape(*shape, *field.shape) for field in formula.inputs)
-            # Summed over what was broadcast.
-            return tuple(back.sum_to_size(x.shape) for back, x in zip(backs, inputs))
+            _, entries = function.linearized(ctx.lib, *ctx.saved_tensors)
+            backs = [None] * len(ctx.saved_tensors)
+            for (i, j), entry in zip(function.entries, entries):
+                term = entry * gradients[i]
+                backs[j] = term if backs[j] is None else backs[j] + term
+            return None, *backs
 
         @staticmethod
-        def backward(ctx, *changes):
-            raise NotImplementedError(
-                f"{id}: its second derivative is wanted, and as an operation of PyTorch it has the first alone"
-            )
+        def jvp(ctx, _, *tangents):
+            # PyTorch turns forward derivatives off in here; what a forward derivative of this one needs are the primal numbers.
+            with forward_ad._set_fwd_grad_enabled(True):
+                numbers = [forward_ad.unpack_dual(x).primal for x in ctx.saved_tensors]
+                _, entries = function.linearized(ctx.lib, *numbers)
+                changes = [torch.zeros_like(numbers[0]) for _ in range(function.formula.m)]
+                for (i, j), entry in zip(function.entries, entries):
+                    if tangents[j] is not None:
+                        changes[i] = changes[i] + entry * tangents[j]
+                return tuple(changes)
 
-    def called(*args, **kwargs):
-        inputs = [torch.as_tensor(x, dtype=torch.float64) for x in formula._bound(args, kwargs)]
-        return formula.Value(*Operation.apply(*inputs))
+    def value(lib, *numbers):
+        # The compiler knows no rules for derivatives forward; it derives the value itself.
+        return (function.value if torch.compiler.is_compiling() else Operation.apply)(lib, *numbers)
 
-    called.__name__, called.__doc__, called.__signature__ = formula.__name__, formula.__doc__, formula.__signature__
-    return called
+    return value

@@ -1,0 +1,205 @@
+"""A printed formula over arrays: what is called, and what it computes with."""
+
+import math
+from functools import lru_cache
+from typing import Any
+
+import array_api_compat as compat
+import numpy as np
+
+from ..formula import Jacobian, Linearized, broadcast
+
+
+class Library:
+    """The functions that printed formulas call, of one library in one precision. None has NaN as a derivative where a formula has one."""
+
+    def __init__(self, xp, dtype):
+        self.xp, self.dtype, self.nan = xp, dtype, math.nan
+        #: 2^27 + 1 in doubles.
+        self.splitter = 2.0 ** round(-math.log2(xp.finfo(dtype).eps) / 2 + 0.6) + 1.0
+        for name in ("abs", "sqrt", "sin", "cos", "asin", "exp", "expm1", "atan2", "maximum", "where"):
+            setattr(self, name, getattr(xp, name))
+
+    def constants(self, condition, yes, no):
+        """One of two numbers, in this precision."""
+        return self.xp.where(condition, self.xp.asarray(yes, dtype=self.dtype), self.xp.asarray(no, dtype=self.dtype))
+
+    def norm(self, *parts):
+        """The length of a vector, with the derivative 0 at the zero vector."""
+        square = sum((x * x for x in parts[1:]), parts[0] * parts[0])
+        is_zero = square == 0.0
+        return self.where(is_zero, 0.0, self.sqrt(self.where(is_zero, 1.0, square)))
+
+    def multiply_add(self, x, y, z):
+        """x y + z, where it is compared with 0: what rounding leaves of the product counts (Dekker)."""
+        product = x * y
+        (a, b), (c, d) = self._halves(x), self._halves(y)
+        return (product + z) + (b * d - (((product - a * c) - b * c) - a * d))
+
+    def _halves(self, x):
+        large = x * self.splitter
+        high = large - (large - x)
+        return high, x - high
+
+    def nearest_integer(self, x):
+        """Of two that are equally near, the one farther from 0."""
+        whole = self.xp.trunc(x)
+        return self.where(self.abs(x - whole) < 0.5, whole, whole + self.sign(x))
+
+    def sign(self, x):
+        """−1, 0 or 1; NaN of NaN."""
+        # That of PyTorch is 0 for NaN, and mended by writing into it, which cannot be mapped.
+        return x.sign() + 0.0 * x if compat.is_torch_namespace(self.xp) else self.xp.sign(x)
+
+    def finite(self, x):
+        """A number, NaN if it is not finite."""
+        return x + 0.0 * x
+
+    def allowed(self, x, holds):
+        """A number, NaN if it is not finite or something does not hold."""
+        return self.where(holds, self.finite(x), self.nan)
+
+    def are_finite(self, *x):
+        """Whether all numbers are."""
+        finite = self.xp.isfinite(x[0])
+        for one in x[1:]:
+            finite = finite & self.xp.isfinite(one)
+        return finite
+
+    def parts(self, x):
+        """The components along the last axis."""
+        if not compat.is_jax_namespace(self.xp):
+            return [x[..., k] for k in range(x.shape[-1])]
+        # Backwards this joins what the components have; slices would add arrays with zeros beside each.
+        return [self.xp.reshape(part, x.shape[:-1]) for part in self.xp.split(x, x.shape[-1], axis=-1)]
+
+
+library = lru_cache(Library)
+
+
+def in_one_library(given):
+    """The library of some inputs, and these as its arrays in one precision, on one device; numbers and arrays of NumPy go along with
+    arrays of others."""
+    arrays = [x for x in given if compat.is_array_api_obj(x)]
+    arrays = [x for x in arrays if not compat.is_numpy_array(x)] or arrays or [np.asarray(0.0)]
+    xp = compat.array_namespace(*arrays)
+    floating = [x.dtype for x in arrays if xp.isdtype(x.dtype, "real floating")]
+    lib = library(xp, xp.result_type(*floating) if floating else xp.asarray(0.0).dtype)
+    device = None if compat.is_jax_array(arrays[0]) else compat.device(arrays[0])
+
+    def array(x):
+        if any(x is one for one in arrays):
+            return x if x.dtype == lib.dtype else xp.astype(x, lib.dtype)
+        return xp.asarray(x, dtype=lib.dtype, device=device)
+
+    return lib, [array(x) for x in given]
+
+
+def components(lib, fields, inputs):
+    """The components of all fields, broadcast against each other, and the shape of each."""
+    leading = []
+    for field, x in zip(fields, inputs):
+        axes = len(field.shape)
+        if axes and tuple(x.shape[x.ndim - axes :]) != field.shape:
+            raise field.misshapen(x.shape)
+        leading.append(tuple(x.shape[: x.ndim - axes]))
+    shape = leading[0]
+    if any(other != shape for other in leading):
+        shape = broadcast([field.name for field in fields], leading)
+    numbers = []
+    for field, x, own in zip(fields, inputs, leading):
+        x = x if own == shape else lib.xp.broadcast_to(x, shape + field.shape)
+        numbers += lib.parts(lib.xp.reshape(x, (*shape, field.size))) if field.shape else [x]
+    return numbers, shape
+
+
+def full(lib, results, numbers):
+    """Results that are the same everywhere as arrays."""
+    return tuple(y + lib.xp.zeros_like(numbers[0]) if isinstance(y, float) else y for y in results)
+
+
+class Missing:
+    """A formula that is not here, and why."""
+
+    def __init__(self, id, why):
+        self.id, self.why = id, why
+
+    def error(self):
+        return NotImplementedError(f"{self.id} over arrays: {self.why}; jointproof.{self.id} computes it in NumPy")
+
+    def __call__(self, *args, **kwargs):
+        raise self.error()
+
+    linearize = __call__
+
+
+class Function:
+    """A formula over arrays of any library with the Array API: NumPy, JAX, PyTorch, CuPy and others, in the precision and on the
+    device of its inputs. It is called as the formula is. What is not allowed gives NaN, or with ``checked=True`` the formula's error.
+
+    Frameworks trace, map, compile and differentiate it. Numbers that over- or underflow when they are squared are left alone."""
+
+    def __init__(self, id: str, value: Any, linearized: Any, accepted: Any, entries: tuple[tuple[int, int], ...]) -> None:
+        from .. import find
+
+        self.formula = find(id)
+        self.id, self.__name__, self.__doc__ = id, self.formula.__name__, self.formula.__doc__
+        self.__signature__ = self.formula.__signature__
+        #: The places in the Jacobian, output and input, of the entries that are not always 0; None if the formula has none in closed form.
+        self.entries = entries if linearized else None
+        self._value, self._linearized, self._accepted = value, linearized, accepted
+
+    def __repr__(self):
+        return f"<{self.id} over arrays>"
+
+    def __call__(self, *args: Any, checked: bool = False, **kwargs: Any) -> Any:
+        lib, inputs = in_one_library(self.formula._bound(args, kwargs))
+        numbers, shape = self.components(lib, inputs, checked)
+        with np.errstate(all="ignore"):
+            return self.packed(lib, self.value(lib, *numbers), shape)
+
+    def linearize(self, *args: Any, checked: bool = False, **kwargs: Any) -> Linearized:
+        """Value and Jacobian together, as the formula has them, the Jacobian in closed form."""
+        if self.entries is None:
+            raise NotImplementedError(f"{self.id}: its Jacobian is automatic; let the library of your arrays derive it")
+        lib, inputs = in_one_library(self.formula._bound(args, kwargs))
+        numbers, shape = self.components(lib, inputs, checked)
+        with np.errstate(all="ignore"):
+            values, entries = self.linearized(lib, *numbers)
+            zero = lib.xp.zeros_like(numbers[0])
+            dense = [zero] * (self.formula.m * self.formula.n)
+            for (i, j), entry in zip(self.entries, entries):
+                dense[i * self.formula.n + j] = zero + entry
+            array = lib.xp.reshape(lib.xp.stack(dense, axis=-1), (*shape, self.formula.m, self.formula.n))
+            return Linearized(self.packed(lib, values, shape), Jacobian(array, self.formula._outputs, self.formula._inputs))
+
+    def value(self, lib, *numbers):
+        """The components of the outputs from those of the inputs, NaN where these are not allowed."""
+        return full(lib, self._value(lib, *numbers), numbers)
+
+    def linearized(self, lib, *numbers):
+        """The same, and the entries of the Jacobian that are not always 0."""
+        values, entries = self._linearized(lib, *numbers)
+        return full(lib, values, numbers), full(lib, entries, numbers)
+
+    def components(self, lib, inputs, checked=False):
+        """The components of all inputs, broadcast against each other, and the shape of each."""
+        numbers, shape = components(lib, self.formula.inputs, inputs)
+        if checked:
+            self.check(lib, numbers)
+        return numbers, shape
+
+    def check(self, lib, numbers):
+        """Raises the formula's error for what is not allowed."""
+        if not bool(lib.xp.all(self._accepted(lib, *numbers))):
+            told = [np.asarray(x.detach().cpu() if hasattr(x, "detach") else x) for x in numbers]
+            self.formula(**self.formula.unpack(np.stack(told, axis=-1)))
+            raise ValueError(f"{self.id}: what is allowed in doubles is not in {lib.dtype}")
+
+    def packed(self, lib, numbers, shape):
+        """The results by names, from their components."""
+        results = []
+        for field in self.formula.outputs:
+            parts = numbers[field.places]
+            results.append(lib.xp.reshape(lib.xp.stack(parts, axis=-1), (*shape, *field.shape)) if field.shape else parts[0])
+        return self.formula.Value(*results)
