@@ -30,12 +30,12 @@ pub(crate) fn downloads(project: &Project) -> Vec<Download> {
     let subjects: Vec<_> = formulas.chain(elements).collect();
     let (recorded, _) = record(&subjects, Some(project));
     let elements = project.elements().iter().map(|element| (Shell::Uel, Some(element)));
-    let shells: Vec<_> = elements.chain([(Shell::Fric, None), (Shell::Mpc, None)]).collect();
+    let shells: Vec<_> = elements.chain([Shell::Fric, Shell::Mpc, Shell::UmpcUser].map(|shell| (shell, None))).collect();
     let routines = shells.par_iter().flat_map_iter(|&(shell, element)| routine(project, shell, element));
     routines.chain(recorded.par_iter().flat_map_iter(of)).collect()
 }
 
-/// A user routine of Abaqus in both forms of Fortran; none if it cannot be exported.
+/// A user routine in both forms of Fortran; none if it cannot be exported.
 fn routine(project: &Project, shell: Shell, element: Option<&&'static dyn AnyElement>) -> Vec<Download> {
     let elements: Vec<_> = element.copied().into_iter().collect();
     let download = |is_fixed| {

@@ -40,6 +40,7 @@ impl Shell {
             Self::Uel => "UEL",
             Self::Fric => "FRIC",
             Self::Mpc => "MPC",
+            Self::UmpcUser => "umpc_user",
         }
     }
 }
