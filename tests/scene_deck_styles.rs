@@ -370,8 +370,9 @@ O
 /// The decks and tables of the chapters, and their scenes in JSON: every number has the same bits.
 #[test]
 fn worked_decks_with_histories_give_the_bits_of_their_scenes() {
+    type Names = &'static [(&'static str, &'static str)];
     let golden = Path::new(env!("CARGO_MANIFEST_DIR")).join("golden");
-    let names: [(&str, bool, &[(&str, &str)]); 3] = [
+    let names: [(&str, bool, Names); 3] = [
         ("telescope", true, &[("telescope", "1")]),
         ("drive-shaft", true, &[("bearing in", "1"), ("bearing out", "2"), ("first", "3"), ("second", "4")]),
         (

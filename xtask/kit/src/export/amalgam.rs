@@ -30,7 +30,8 @@ pub(crate) fn downloads(project: &Project) -> Vec<Download> {
     let subjects: Vec<_> = formulas.chain(elements).collect();
     let (recorded, _) = record(&subjects, Some(project));
     let elements = project.elements().iter().map(|element| (Shell::Uel, Some(element)));
-    let shells: Vec<_> = elements.chain([Shell::Fric, Shell::Mpc, Shell::UmpcUser].map(|shell| (shell, None))).collect();
+    let shells: Vec<_> =
+        elements.chain([Shell::Fric, Shell::Mpc, Shell::UmpcUser].map(|shell| (shell, None))).collect();
     let routines = shells.par_iter().flat_map_iter(|&(shell, element)| routine(project, shell, element));
     routines.chain(recorded.par_iter().flat_map_iter(of)).collect()
 }

@@ -26,8 +26,11 @@ pub(crate) struct Spread {
     pub(crate) formulas: Vec<[f64; 2]>,
 }
 
+/// The identifier of a method, and the evaluations of the value for `n` inputs in words and as a function.
+type Method = (&'static str, &'static str, fn(usize) -> usize);
+
 /// The methods that every formula has.
-const METHODS: [(&str, &str, fn(usize) -> usize); 8] = [
+const METHODS: [Method; 8] = [
     ("closed", "1", |_| 1),
     ("single", "1", |_| 1),
     ("ad", "⌈n/4⌉", |n| n.div_ceil(4)),

@@ -28,14 +28,11 @@ pub(crate) fn all(spreads: &[Spread]) -> String {
     drawing.left(&y, UP, ACROSS, |error| y.number(error));
     let place = |[ratio, error]: [f64; 2]| [x.at(ratio, ACROSS), y.at(error.max(FLOOR), UP)];
     for spread in spreads {
-        let dots: String = spread
-            .formulas
-            .iter()
-            .map(|&formula| {
-                let [x, y] = place(formula);
-                format!("M{x:.0} {y:.0}{DOT}")
-            })
-            .collect();
+        let dot = |dots: String, &formula: &[f64; 2]| {
+            let [x, y] = place(formula);
+            dots + &format!("M{x:.0} {y:.0}{DOT}")
+        };
+        let dots = spread.formulas.iter().fold(String::new(), dot);
         drawing.outline(&format!("cloud {}", style(&spread.id).class), &dots);
     }
     for (k, spread) in spreads.iter().enumerate() {
