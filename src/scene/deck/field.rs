@@ -39,7 +39,9 @@ pub(super) struct Label {
 impl Label {
     /// `None` if it is empty, or if a quote is not closed. A name in an instance, `instance.name`, may have quotes around each.
     pub(super) fn new(text: &str) -> Option<Self> {
-        let Some((instance, rest)) = Self::split(text) else { return Self::one(text) };
+        let Some((instance, rest)) = Self::split(text) else {
+            return Self::one(text).filter(|_| !text.trim_start().starts_with('.'));
+        };
         let rest = Self::one(rest)?;
         let [shown, key] = [(instance.shown, rest.shown), (instance.key, rest.key)].map(|(a, b)| format!("{a}.{b}"));
         Some(Self { shown, key })
