@@ -82,8 +82,9 @@ pub(crate) struct Sheet {
     pub(crate) id: String,
     /// The table of its degrees of freedom and multipliers.
     pub(crate) degrees: String,
-    /// Whether it holds conditions by multipliers, rotates, and rubs.
+    /// Whether it holds conditions by multipliers.
     pub(crate) is_held: bool,
+    /// Whether its nodes rotate in space.
     pub(crate) rotates: bool,
     /// The tables of its parameters.
     pub(crate) parameters: String,
