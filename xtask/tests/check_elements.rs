@@ -289,5 +289,9 @@ fn what_is_no_element_is_told() {
     bench
         .run(&["check", "--element", "slots", "--abi", "uel"])
         .bad_usage("'slots' is no element, but there are slot, slot_2d");
+    bench.run(&["check", "--element", "slot", "--eta", "3", "--", "cat"]).bad_usage("cannot be used with '--eta");
+    let ran = bench.run(&["check", "--element", "slot", "--format", "json", "--", "cat"]).exits(1);
+    let said: serde_json::Value = serde_json::from_str(&ran.stdout).unwrap();
+    assert_eq!(said["points"], said["faults"][0]["points"], "{said}");
     bench.run(&["check", "--element", "slot", "--abi", "fric"]).bad_usage("elements are routines UEL");
 }

@@ -2,6 +2,7 @@
 
 use crate::common::{Bench, Ran};
 use crate::port::Lang;
+use serde_json::json;
 use std::process::Command;
 
 /// An element, with the file that says how it is called.
@@ -31,7 +32,7 @@ const MISTAKES: &[Mistake] = &[
     Mistake {
         element: TRUSS,
         texts: &[["BLOCK(K,J) = STIFF*D", "BLOCK(K,J) = -STIFF*D"], ["BLOCK(K,K) + STIFF", "BLOCK(K,K) - STIFF"]],
-        says: "the sign is turned: AMATRX is plus the derivative of RHS by U",
+        says: "the sign is turned: AMATRX is plus the derivative of RHS with respect to U",
     },
     Mistake {
         element: TRUSS,
@@ -208,8 +209,16 @@ fn any_program_is_compared_and_what_is_wrong_in_the_file_is_told() {
     let of = |sign: &str| program.replace('S', sign);
     let file = toml("routine = \"program\"\nat = [3.0, 4.0]\noutputs = 1\n");
     let run = |program: &str| bench.run(&["check", "--derivative", &file, "--", "sh", "-c", program]);
-    run(&of("1")).exits(0).prints("J is the derivative of f by x");
+    run(&of("1")).exits(0).prints("J is the derivative of f with respect to x");
     run(&of("-1")).exits(1).prints("the sign is turned of J(1,2)");
+    let ran = bench.run(&["check", "--derivative", &file, "--format", "json", "--", "sh", "-c", &of("-1")]).exits(1);
+    let said: serde_json::Value = serde_json::from_str(&ran.stdout).unwrap();
+    assert_eq!(
+        [&said["right"], &said["wrong"][0]["column"], &said["wrong"][0]["found"]],
+        [&json!(false), &json!(2), &json!(-0.8)]
+    );
+    let at = ["--format", "rdjson", "--at", "mine.f90:7", "--", "sh", "-c", &of("-1")];
+    bench.run(&[&["check", "--derivative", &file][..], &at].concat()).exits(1).prints("\"line\": 7");
     for (text, says) in [
         ("routine = \"program\"\nat = [1.0]\n", "`outputs` is needed"),
         ("routine = \"uel\"\nat = [1.0]\n", "`coords` is needed"),

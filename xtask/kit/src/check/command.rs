@@ -3,7 +3,7 @@
 use super::driver::abi::Abi;
 use super::driver::{self, Driver, Lang};
 use super::listen::{Manner, listen};
-use super::{derivative, element};
+use super::{Said, derivative, element};
 use crate::console::print;
 use crate::outcome::{Outcome, Usage, verdict};
 use crate::project::Project;
@@ -13,7 +13,7 @@ use jointproof::catalog::AnyFormula;
 use jointproof::toolkit::verify::Options;
 use jointproof::toolkit::verify::golden::components;
 use judge::{Bounds, Court, Question, Wanted, of_points, questions};
-use serde_json::{Value, json};
+use serde_json::json;
 use std::path::PathBuf;
 use std::time::Duration;
 
@@ -55,10 +55,18 @@ pub(crate) struct Arguments {
     formula: String,
     /// Check the matrix of any routine against the derivative of its own value, without a formula; the file says how it is
     /// called and at which state
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["formula", "element", "driver", "abi"])]
+    #[arg(
+        long,
+        value_name = "FILE",
+        conflicts_with_all = ["formula", "element", "driver", "abi", "exported", "wanted", "hex", "json", "samples", "seed", "strict", "eta", "valid_only", "point"]
+    )]
     derivative: Option<PathBuf>,
     /// Check a UEL against this element, by its identifier: its forces, conditions, stiffness and states
-    #[arg(long, value_name = "ID", conflicts_with_all = ["formula", "driver"])]
+    #[arg(
+        long,
+        value_name = "ID",
+        conflicts_with_all = ["formula", "driver", "exported", "wanted", "hex", "json", "samples", "seed", "eta", "valid_only", "point"]
+    )]
     element: Option<String>,
     /// The program and its arguments, after `--`
     #[arg(last = true, value_name = "PROGRAM", required_unless_present_any = ["driver", "abi", "out"])]
@@ -164,13 +172,13 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
         return match arguments.abi {
             Some(Abi::Uel) => element::driver(project, id, arguments.out.as_deref()),
             Some(_) => Err(Usage("--element: elements are routines UEL: --abi uel".into()).into()),
-            None => element::run(project, id, &arguments.program, limit, arguments.strict),
+            None => said(arguments, element::run(project, id, &arguments.program, limit, arguments.strict)?),
         };
     }
     if let Some(file) = &arguments.derivative {
         return match &arguments.out {
             Some(folder) => derivative::write_driver(file, folder),
-            None => derivative::run(file, &arguments.program, limit),
+            None => said(arguments, derivative::run(file, &arguments.program, limit)?),
         };
     }
     if arguments.out.is_some() && arguments.abi.is_none() {
@@ -211,31 +219,37 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
         is_hex: arguments.hex,
         limit,
     };
+    let subject = arguments.formula.clone();
     let (answers, heard) = match listen(formula, &manner, &questions)? {
         Ok(heard) => heard,
         Err(why) => {
-            let silent = json!({ "formula": arguments.formula, "right": false, "causes": [why] });
             let text = court.silent(&arguments.program, &why);
-            print(&written(arguments, &text, &silent, "it does not answer", false)?)?;
-            return Ok(verdict(false));
+            let json = json!({ "formula": subject, "right": false, "causes": [why] });
+            return said(arguments, Said { subject, is_well: false, text, json, claim: "it does not answer".into() });
         }
     };
     let judged = court.judged(&arguments.program, &answers, &heard);
-    let claim = judged.causes.first().map_or("its answers are those of the formula", String::as_str);
-    print(&written(arguments, &judged.text, &judged.json, claim, judged.is_well())?)?;
-    Ok(verdict(judged.is_well()))
+    let claim = judged.causes.first().map_or("its answers are those of the formula", String::as_str).to_owned();
+    said(arguments, Said { subject, is_well: judged.is_well(), text: judged.text, json: judged.json, claim })
+}
+
+/// Prints the result in the requested format.
+fn said(arguments: &Arguments, said: Said) -> Outcome {
+    let is_well = said.is_well;
+    print(&written(arguments, said)?)?;
+    Ok(verdict(is_well))
 }
 
 /// The result in the requested format; if all is well there is no finding.
-fn written(arguments: &Arguments, text: &str, json: &Value, claim: &str, is_well: bool) -> anyhow::Result<String> {
+fn written(arguments: &Arguments, Said { subject, is_well, text, json, claim }: Said) -> anyhow::Result<String> {
     if arguments.format == Format::Json {
-        return Ok(serde_json::to_string_pretty(json)? + "\n");
+        return Ok(serde_json::to_string_pretty(&json)? + "\n");
     }
     let Some(place) = arguments.at.clone().filter(|_| arguments.format != Format::Text) else {
-        return Ok(text.to_owned());
+        return Ok(text);
     };
-    let message = anstream::adapter::strip_str(text).to_string();
-    let finding = Finding { formula: arguments.formula.clone(), claim: claim.to_owned(), message, place };
+    let message = anstream::adapter::strip_str(&text).to_string();
+    let finding = Finding { formula: subject, claim, message, place };
     let findings: Vec<_> = (!is_well).then_some(finding).into_iter().collect();
     match arguments.format {
         Format::Sarif => sarif(&findings),

@@ -1,10 +1,11 @@
 //! `check --element`: a UEL against an element of the catalog, at its golden cases and at points beside them; strictly, within our
 //! bounds at all golden cases, and with refusals.
 
+use super::Said;
 use super::derivative::rotation;
 use super::driver::abi;
-use super::line::{self, Digits};
-use super::peer::{Peer, Replies, Reply};
+use super::line::Digits;
+use super::peer::Peer;
 use super::random::Random;
 use super::violated::Conditions;
 use crate::console::{bold, count, green, print, red};
@@ -17,7 +18,8 @@ use jointproof::catalog::AnyElement;
 use jointproof::formula::Field;
 use jointproof::toolkit::verify::golden::components;
 use jointproof::toolkit::verify::{ElementRecord, Layout, Out};
-use judge::{Answer, Manners};
+use judge::Answer;
+use serde_json::json;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::Path;
@@ -373,96 +375,144 @@ fn wrapped(line: &str) -> String {
 ///
 /// # Errors
 /// If there is no such element, or the program cannot be started.
-pub(super) fn run(project: &Project, id: &str, program: &[String], limit: Duration, is_strict: bool) -> Outcome {
+pub(super) fn run(
+    project: &Project,
+    id: &str,
+    program: &[String],
+    limit: Duration,
+    is_strict: bool,
+) -> anyhow::Result<Said> {
     let element = selection::element(project, id)?;
     let mapping = Interface::new(element);
     let mut points = points(element, &mapping);
-    let strict = if is_strict { strict_points(element, &mapping) } else { Vec::new() };
-    let [refused, bounded] =
-        [true, false].map(|is| strict.iter().filter(|point| point.must_be_refused() == is).count());
-    points.extend(strict);
+    let beside = points.len();
+    if is_strict {
+        points.extend(strict_points(element, &mapping));
+    }
     let [inputs, numbers] = mapping.numbers();
     let shown = |point: &Point| point.arguments.iter().map(|&x| Digits::Decimal.show(x)).collect::<Vec<_>>().join(" ");
     debug_assert!(points.iter().all(|point| point.arguments.len() == inputs), "{id}: every argument");
     let peer = Peer { command: program, limit, head: None, numbers, digits: Digits::Decimal };
-    let head = |mark: &str| format!("{mark} {} by {}", bold(id), program.join(" "));
     let lines: Vec<_> = points.iter().map(shown).collect();
-    let replies = match peer.ask(&lines)? {
-        Ok(Replies { replies, .. }) => replies,
-        Err(why) => {
-            print(&format!("{}: {why}\n", head(&red("off"))))?;
-            return Ok(verdict(false));
+    let found = peer.answers(&lines)?.map(|answers| Found::new(&mapping, &points, answers, is_strict));
+    let is_well = found.as_ref().is_ok_and(|found| found.off == 0);
+    let head = format!("{} {} by {}", if is_well { green("ok ") } else { red("off") }, bold(id), program.join(" "));
+    let refused = points[beside..].iter().filter(|point| point.must_be_refused()).count();
+    let claim = match &found {
+        Err(why) => why.clone(),
+        Ok(found) if found.off > 0 => {
+            format!("it is not the element at {} of {}", found.off, count(points.len(), "point"))
+        }
+        Ok(found) => {
+            let (how, all) = (WAYS[found.way], count(points.len(), "point"));
+            let strictly = is_strict.then(|| {
+                let eta = element.spec().bounds().0.value;
+                let golden = count(points.len() - beside - refused, "golden case");
+                format!(", within η ≤ {eta} at {golden}; all {refused} that are not allowed are refused")
+            });
+            let strictly = strictly.unwrap_or_default();
+            format!(
+                "RHS, AMATRX and SVARS are those of the element at {all}, for LFLAGS(3) = 1, 2 and 5{how}{strictly}"
+            )
         }
     };
-    let mut text = String::new();
-    let mut faults: BTreeMap<String, Vec<&str>> = BTreeMap::new();
-    let mut wrong: BTreeMap<usize, (usize, String)> = BTreeMap::new();
-    let mut off = 0;
-    let read = |reply: &Reply| match reply {
-        Reply::Line(line) => line::read(line, numbers, Digits::Decimal, &mut Manners::new()),
-        Reply::Hangs => Answer::Bad("no answer within the limit".into()),
-        Reply::Ends(how) => Answer::Bad(how.clone()),
-        Reply::NotAsked => Answer::Bad("not asked any more".into()),
+    let details = found.as_ref().map(Found::text).unwrap_or_default();
+    let json = match &found {
+        Ok(found) => {
+            json!({ "element": id, "right": is_well, "points": points.len(), "off": found.off, "faults": found.faults, "wrong": found.wrong })
+        }
+        Err(why) => json!({ "element": id, "right": false, "causes": [why] }),
     };
-    let answers: Vec<_> = replies.iter().map(read).collect();
-    let off_by = |way: usize| -> usize {
-        let off = |(point, answer): (&Point, &Answer)| match answer {
-            Answer::Numbers(found) => point.off(found, way).len(),
-            _ => 0,
+    Ok(Said { subject: id.into(), is_well, text: format!("{head}: {claim}\n{details}"), json, claim })
+}
+
+/// What is wrong with the answers.
+struct Found {
+    /// The points at which something is.
+    off: usize,
+    /// The way of [`WAYS`] that is nearest.
+    way: usize,
+    /// What is wrong with whole answers.
+    faults: Vec<Fault>,
+    wrong: Vec<Wrong>,
+}
+
+#[derive(serde::Serialize)]
+struct Fault {
+    what: String,
+    points: usize,
+    first: String,
+}
+
+/// A number that is not the element's, at the first point at which it is not.
+#[derive(serde::Serialize)]
+struct Wrong {
+    number: String,
+    found: f64,
+    expected: f64,
+    first: String,
+    points: usize,
+}
+
+impl Found {
+    fn new(mapping: &Interface, points: &[Point], answers: Vec<Answer>, is_strict: bool) -> Self {
+        let off_by = |way: usize| -> usize {
+            let off = |(point, answer): (&Point, &Answer)| match answer {
+                Answer::Numbers(found) => point.off(found, way).len(),
+                _ => 0,
+            };
+            points.iter().zip(&answers).map(off).sum()
         };
-        points.iter().zip(&answers).map(off).sum()
-    };
-    let ways = if is_strict { 1 } else { points.iter().map(|point| point.expected.len()).min().unwrap_or_default() };
-    let way = (0..ways).min_by_key(|&way| off_by(way)).unwrap_or_default();
-    for (point, answer) in points.iter().zip(answers) {
-        let fault = match answer {
-            Answer::Numbers(_) if point.must_be_refused() => "not refused, though it is not allowed".to_owned(),
-            Answer::Refused(_) if point.must_be_refused() => continue,
-            Answer::Numbers(found) => {
-                let wrong_here = point.off(&found, way);
-                off += usize::from(!wrong_here.is_empty());
-                for place in wrong_here {
-                    let (Some(found), Some(expected)) = (found[place], point.expected[way][place]) else { continue };
-                    let sign = if mapping.name(place).starts_with('A') { -1.0 } else { 1.0 };
-                    let first = || format!("{:.9e} instead of {:.9e} at {}", sign * found, sign * expected, point.name);
-                    wrong.entry(place).or_insert_with(|| (0, first())).0 += 1;
+        let ways =
+            if is_strict { 1 } else { points.iter().map(|point| point.expected.len()).min().unwrap_or_default() };
+        let way = (0..ways).min_by_key(|&way| off_by(way)).unwrap_or_default();
+        let mut faults: BTreeMap<String, Fault> = BTreeMap::new();
+        let mut wrong: BTreeMap<usize, Wrong> = BTreeMap::new();
+        let mut off = 0;
+        for (point, answer) in points.iter().zip(answers) {
+            let first = || point.name.clone();
+            let what = match answer {
+                Answer::Numbers(_) if point.must_be_refused() => "not refused, though it is not allowed".to_owned(),
+                Answer::Refused(_) if point.must_be_refused() => continue,
+                Answer::Numbers(found) => {
+                    let wrong_here = point.off(&found, way);
+                    off += usize::from(!wrong_here.is_empty());
+                    for place in wrong_here {
+                        let (Some(found), Some(expected)) = (found[place], point.expected[way][place]) else {
+                            continue;
+                        };
+                        let number = mapping.name(place);
+                        // What is compared is minus AMATRX.
+                        let sign = if number.starts_with('A') { -1.0 } else { 1.0 };
+                        let [found, expected] = [found, expected].map(|x| sign * x);
+                        let new = || Wrong { number, found, expected, first: first(), points: 0 };
+                        wrong.entry(place).or_insert_with(new).points += 1;
+                    }
+                    continue;
                 }
-                continue;
-            }
-            Answer::Refused(_) => "refused by PNEWDT".to_owned(),
-            Answer::Bad(what) | Answer::Skipped(what) => what,
-        };
-        off += 1;
-        faults.entry(fault).or_default().push(&point.name);
+                Answer::Refused(_) => "refused by PNEWDT".to_owned(),
+                Answer::Bad(what) | Answer::Skipped(what) => what,
+            };
+            off += 1;
+            let new = || Fault { what: what.clone(), points: 0, first: first() };
+            faults.entry(what.clone()).or_insert_with(new).points += 1;
+        }
+        Self { off, way, faults: faults.into_values().collect(), wrong: wrong.into_values().collect() }
     }
-    let all = count(points.len(), "point");
-    let _ = if off == 0 {
-        let how = WAYS[way];
-        let eta = element.spec().bounds().0.value;
-        let strictly = if is_strict {
-            format!(
-                ", within η ≤ {eta} at {}; all {refused} that are not allowed are refused",
-                count(bounded, "golden case")
-            )
-        } else {
-            String::new()
-        };
-        writeln!(
-            text,
-            "RHS, AMATRX and SVARS are those of the element at {all}, for LFLAGS(3) = 1, 2 and 5{how}{strictly}"
-        )
-    } else {
-        writeln!(text, "it is not the element at {off} of {all}")
-    };
-    for (fault, at) in &faults {
-        let _ = writeln!(text, "    {fault}: {}, first {}", count(at.len(), "point"), at[0]);
+
+    fn text(&self) -> String {
+        let mut text = String::new();
+        for Fault { what, points, first } in &self.faults {
+            let _ = writeln!(text, "    {what}: {}, first {first}", count(*points, "point"));
+        }
+        for Wrong { number, found, expected, first, points } in self.wrong.iter().take(SHOWN) {
+            let points = count(*points, "point");
+            let _ =
+                writeln!(text, "    {number} is {found:.9e} instead of {expected:.9e} at {first}; wrong at {points}");
+        }
+        if self.wrong.len() > SHOWN {
+            let _ = writeln!(text, "    and {} more", count(self.wrong.len() - SHOWN, "number"));
+        }
+        text
     }
-    for (place, (times, first)) in wrong.iter().take(SHOWN) {
-        let _ = writeln!(text, "    {} is {first}; wrong at {}", mapping.name(*place), count(*times, "point"));
-    }
-    if wrong.len() > SHOWN {
-        let _ = writeln!(text, "    and {} more", count(wrong.len() - SHOWN, "number"));
-    }
-    print(&format!("{}: {text}", head(&if off == 0 { green("ok ") } else { red("off") })))?;
-    Ok(verdict(off == 0))
 }

@@ -45,15 +45,15 @@ pub(super) fn listen(
     };
     let mut heard = Heard { manners: Manners::new(), noticed: noticed.into_iter().collect() };
     let mut answers = [(); 2].map(|()| vec![Answer::Skipped(String::new()); questions.len()]);
-    let read = |(k, reply)| {
+    let read = |(k, reply): (usize, Reply)| {
         let mut manners = Manners::new();
-        let answer = match reply {
-            Reply::Line(line) if manner.is_json => json::read(formula, manner.wanted, k, &line),
-            Reply::Line(line) => line::read(&line, numbers, digits, &mut manners),
-            Reply::Hangs => Answer::Bad("no answer within the limit".into()),
-            Reply::Ends(how) => Answer::Bad(how),
-            Reply::NotAsked => Answer::Skipped("not asked any more".into()),
-        };
+        let answer = reply.answer(|line| {
+            if manner.is_json {
+                json::read(formula, manner.wanted, k, line)
+            } else {
+                line::read(line, numbers, digits, &mut manners)
+            }
+        });
         (answer, manners)
     };
     let read: Vec<_> = replies.into_par_iter().enumerate().map(read).collect();

@@ -14,3 +14,14 @@ mod random;
 mod violated;
 
 pub(crate) use command::{Arguments, run};
+
+/// What is said of a program.
+struct Said {
+    /// The formula, element or file that it was compared with.
+    subject: String,
+    is_well: bool,
+    text: String,
+    json: serde_json::Value,
+    /// One sentence.
+    claim: String,
+}

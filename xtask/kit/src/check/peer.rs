@@ -4,6 +4,7 @@ use super::line::{self, Digits};
 use super::process::{Next, Process};
 use crate::console::progress;
 use crate::outcome::Usage;
+use judge::{Answer, Manners};
 use std::collections::BTreeSet;
 use std::process::ExitStatus;
 use std::time::Duration;
@@ -35,6 +36,18 @@ pub(super) enum Reply {
     Ends(String),
     /// It was not asked, because it had hung or ended too often.
     NotAsked,
+}
+
+impl Reply {
+    /// What is read of it.
+    pub(super) fn answer(&self, read: impl FnOnce(&str) -> Answer) -> Answer {
+        match self {
+            Self::Line(line) => read(line),
+            Self::Hangs => Answer::Bad("no answer within the limit".into()),
+            Self::Ends(how) => Answer::Bad(how.clone()),
+            Self::NotAsked => Answer::Skipped("not asked any more".into()),
+        }
+    }
 }
 
 /// The layout of a program's output, determined from two questions.
@@ -72,6 +85,16 @@ enum End {
 }
 
 impl Peer<'_> {
+    /// The answers to every question, as lines of numbers.
+    ///
+    /// # Errors
+    /// As [`Peer::ask`].
+    pub(super) fn answers(&self, questions: &[String]) -> anyhow::Result<Result<Vec<Answer>, String>> {
+        let read = |line: &str| line::read(line, self.numbers, self.digits, &mut Manners::new());
+        let answers = |all: Replies| all.replies.iter().map(|reply| reply.answer(read)).collect();
+        Ok(self.ask(questions)?.map(answers))
+    }
+
     /// Asks every question; the first two, which it should be able to answer, determine its layout.
     ///
     /// # Errors

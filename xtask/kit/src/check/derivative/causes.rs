@@ -45,7 +45,9 @@ fn whole(all: &[Compared], [value, input, name]: [&str; 3]) -> Option<String> {
     let matrix = name.trim_start_matches('-');
     if explains(all, |one, r, c| -one.exact.at(r, c)) {
         let sign = if name.starts_with('-') { "plus" } else { "minus" };
-        return Some(format!("the sign is turned: {matrix} is {sign} the derivative of {value} by {input}"));
+        return Some(format!(
+            "the sign is turned: {matrix} is {sign} the derivative of {value} with respect to {input}"
+        ));
     }
     if explains(all, |_, _, _| 0.0) {
         return Some(format!("{matrix} is 0 throughout"));

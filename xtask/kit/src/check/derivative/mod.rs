@@ -7,14 +7,16 @@ mod quotients;
 mod spec;
 mod states;
 
+use super::Said;
 use super::driver::abi;
-use super::line::{self, Digits};
-use super::peer::{Peer, Replies, Reply};
+use super::line::Digits;
+use super::peer::Peer;
 use crate::console::{bold, count, green, print, red};
 use crate::outcome::{Outcome, verdict};
 use compared::{Answered, Compared, Table};
-use judge::{Answer, Manners};
+use judge::Answer;
 use quotients::Slope;
+use serde_json::{Value, json};
 use spec::{Spec, Turning};
 pub(super) use states::rotation;
 use states::{Line, State, line, states};
@@ -40,31 +42,21 @@ pub(super) fn write_driver(file: &Path, folder: &Path) -> Outcome {
 ///
 /// # Errors
 /// A file that is not right, or a program that cannot be started.
-pub(super) fn run(file: &Path, program: &[String], limit: Duration) -> Outcome {
+pub(super) fn run(file: &Path, program: &[String], limit: Duration) -> anyhow::Result<Said> {
     let spec = Spec::read(file)?;
     let asked = Asked::new(&spec);
     let numbers = spec.outputs() * (spec.at.len() + 1);
     let peer = Peer { command: program, limit, head: None, numbers, digits: Digits::Decimal };
     let head = |mark: &str| format!("{mark} {} by {}", bold(file.display().to_string()), program.join(" "));
-    let replies = match peer.ask(&asked.lines())? {
-        Ok(Replies { replies, .. }) => replies,
-        Err(why) => {
-            print(&format!("{}: {why}\n", head(&red("off"))))?;
-            return Ok(verdict(false));
-        }
+    let Report { is_well, text, mut json, claim } = match peer.answers(&asked.lines())? {
+        Ok(answers) => report(&spec, &asked.compared(&answers)),
+        Err(why) => Report { is_well: false, text: format!("{why}\n"), json: json!({ "causes": [why] }), claim: why },
     };
-    let read = |reply: &Reply| match reply {
-        Reply::Line(line) => line::read(line, numbers, Digits::Decimal, &mut Manners::new()),
-        Reply::Hangs => Answer::Bad("no answer within the limit".into()),
-        Reply::Ends(how) => Answer::Bad(how.clone()),
-        Reply::NotAsked => Answer::Skipped("not asked any more".into()),
-    };
-    let answers: Vec<_> = replies.iter().map(read).collect();
-    let found = asked.compared(&answers);
-    let report = report(&spec, &found);
-    let mark = if report.is_well { green("ok ") } else { red("off") };
-    print(&format!("{}: {}", head(&mark), report.text))?;
-    Ok(verdict(report.is_well))
+    let mark = if is_well { green("ok ") } else { red("off") };
+    let subject = file.display().to_string();
+    json["derivative"] = subject.as_str().into();
+    json["right"] = is_well.into();
+    Ok(Said { text: format!("{}: {text}", head(&mark)), subject, is_well, json, claim })
 }
 
 /// The points that are asked for.
@@ -200,17 +192,18 @@ fn along<'b>(
     Ok((0..outputs).map(slope).collect())
 }
 
-/// The verdict with its text.
+/// The verdict with its text, as JSON, and in one sentence.
 struct Report {
     is_well: bool,
     text: String,
+    json: Value,
+    claim: String,
 }
 
 fn report(spec: &Spec, found: &Found) -> Report {
     let names @ [value, input, name] = spec.names();
     let all = &found.compared;
     let matrix = name.trim_start_matches('-');
-    let mut text = String::new();
     let wrong: Vec<_> = all.iter().map(Compared::wrong).collect();
     let off = wrong.iter().filter(|wrong| !wrong.is_empty()).count();
     let states = count(all.len(), "state");
@@ -225,25 +218,28 @@ fn report(spec: &Spec, found: &Found) -> Report {
     let decided = decided.count();
     let total: usize = all.iter().map(|one| one.found().entries.len()).sum();
     let is_well = off == 0 && faults.is_empty() && decided > 0;
-    let _ = if all.is_empty() {
-        writeln!(text, "there is no state at which it answers")
+    let [least, median] = digits(all);
+    let claim = if all.is_empty() {
+        "there is no state at which it answers".to_owned()
     } else if off > 0 {
-        writeln!(text, "{matrix} is not {minus}the derivative of {value} by {input} at {off} of {states}")
+        format!("{matrix} is not {minus}the derivative of {value} with respect to {input} at {off} of {states}")
     } else if decided == 0 {
-        writeln!(text, "no derivative could be determined at {states}")
+        format!("no derivative could be determined at {states}")
     } else {
-        let [least, median] = digits(all);
-        writeln!(
-            text,
-            "{matrix} is {minus}the derivative of {value} by {input} at {states}, to {least:.1} digits and more, {median:.1} in the median"
+        format!(
+            "{matrix} is {minus}the derivative of {value} with respect to {input} at {states}, to {least:.1} digits and more, {median:.1} in the median"
         )
     };
-    if off > 0 {
-        let cause = causes::cause(all, names, spec.by, spec.coords.first().map_or(1, Vec::len)).unwrap_or_else(|| {
-            format!("none of the known mistakes explains it; wrong are {matrix}{}", causes::place(all))
-        });
+    let mut text = format!("{claim}\n");
+    let cause = (off > 0).then(|| {
+        let known = causes::cause(all, names, spec.by, spec.coords.first().map_or(1, Vec::len));
+        let unknown = || format!("none of the known mistakes explains it; wrong are {matrix}{}", causes::place(all));
+        known.unwrap_or_else(unknown)
+    });
+    let listed = listed(all, &wrong);
+    if let Some(cause) = &cause {
         let _ = writeln!(text, "    cause: {cause}");
-        list(all, &wrong, spec.names(), &mut text);
+        list(&listed, spec.names(), &mut text);
     }
     if decided < total {
         let _ = writeln!(
@@ -267,7 +263,17 @@ fn report(spec: &Spec, found: &Found) -> Report {
     for (state, why) in &found.without {
         let _ = writeln!(text, "    no answer at {state}: {why}");
     }
-    Report { is_well, text }
+    let without = |(state, why): &(String, String)| json!({ "state": state, "why": why });
+    let json = json!({
+        "states": all.len(),
+        "off": off,
+        "digits": (decided > 0).then_some(json!({ "least": least, "median": median })),
+        "entries": { "all": total, "decided": decided },
+        "causes": cause.as_slice(),
+        "wrong": listed,
+        "without_answer": found.without.iter().map(without).collect::<Vec<_>>(),
+    });
+    Report { is_well, text, json, claim }
 }
 
 /// The least and the median number of digits.
@@ -283,21 +289,39 @@ fn digits(all: &[Compared]) -> [f64; 2] {
     [digits.first(), digits.get(digits.len() / 2)].map(|digits| digits.copied().unwrap_or_default())
 }
 
+/// A wrong entry of a matrix, in parts counted from 1; the derivative with the error of its quotients.
+#[derive(serde::Serialize)]
+struct Entry<'a> {
+    row: usize,
+    column: usize,
+    found: f64,
+    expected: f64,
+    uncertainty: f64,
+    state: &'a str,
+}
+
 /// The wrong entries at the first state that has some.
-fn list(all: &[Compared], wrong: &[Vec<(usize, usize)>], [value, input, name]: [&str; 3], text: &mut String) {
-    let Some((one, wrong)) = all.iter().zip(wrong).find(|(_, wrong)| !wrong.is_empty()) else { return };
+fn listed<'a>(all: &'a [Compared], wrong: &[Vec<(usize, usize)>]) -> Vec<Entry<'a>> {
+    let Some((one, wrong)) = all.iter().zip(wrong).find(|(_, wrong)| !wrong.is_empty()) else { return Vec::new() };
+    let entry = |&(row, column): &(usize, usize)| Entry {
+        row: row + 1,
+        column: column + 1,
+        found: one.found().at(row, column),
+        expected: one.exact.at(row, column),
+        uncertainty: one.errors.at(row, column),
+        state: &one.at.name,
+    };
+    wrong.iter().map(entry).collect()
+}
+
+fn list(wrong: &[Entry<'_>], [value, input, name]: [&str; 3], text: &mut String) {
     let (sign, minus) = if name.starts_with('-') { (-1.0, "-") } else { (1.0, "") };
     let matrix = name.trim_start_matches('-');
-    for &(row, column) in wrong.iter().take(SHOWN) {
+    for Entry { row, column, found, expected, uncertainty, state } in wrong.iter().take(SHOWN) {
+        let [found, expected] = [found, expected].map(|x| sign * x);
         let _ = writeln!(
             text,
-            "    {matrix}({r},{c}) is {:.9e}, and {minus}d{value}({r})/d{input}({c}) is {:.9e} ± {:.0e} at {}",
-            sign * one.found().at(row, column),
-            sign * one.exact.at(row, column),
-            one.errors.at(row, column),
-            one.at.name,
-            r = row + 1,
-            c = column + 1,
+            "    {matrix}({row},{column}) is {found:.9e}, and {minus}d{value}({row})/d{input}({column}) is {expected:.9e} ± {uncertainty:.0e} at {state}"
         );
     }
     if wrong.len() > SHOWN {
