@@ -21,7 +21,8 @@ mod spec;
 pub(crate) use checked::{are_allowed, is_plain};
 pub use checked::{check, value, value_and_jacobian};
 pub(crate) use few::cross_gradient;
-pub use fields::{Component, Field, Fields, Part, Visitor};
+use fields::following;
+pub use fields::{Component, Field, Fields, OfField, Part, Visitor};
 #[cfg(feature = "verify")]
 pub(crate) use fields::{entries, typed};
 pub use finite::Finite;
@@ -207,11 +208,7 @@ pub(crate) fn to_array<D: Scalar, I: Fields<D>>(i: &I) -> I::Array {
 /// The struct of these components.
 #[inline]
 pub(crate) fn from_array<T: Component, I: Fields<T>>(array: &I::Array) -> I {
-    let mut k = 0;
-    I::from_components(&mut || {
-        k += 1;
-        array.as_ref()[k - 1]
-    })
+    I::from_components(&mut following(array.as_ref()))
 }
 
 /// Rows to be filled in.

@@ -128,7 +128,7 @@ impl Proved for Scaled {
 
 #[test]
 fn matrices_stand_as_rows_and_read_back() {
-    let file = Scaled.golden();
+    let file = <dyn AnyFormula>::golden(&Scaled);
     assert_eq!(File::parse(&file.render().unwrap()).unwrap(), file);
     let (case, [matrix, factor]) = (&file.cases[0], [&file.inputs[0], &file.inputs[1]]);
     assert_eq!((matrix.shape.as_slice(), factor.unit.as_str()), ([3, 3].as_slice(), "F/Θ"));

@@ -346,10 +346,10 @@ impl Plant for Strip {
 
 #[test]
 fn a_printed_condition_that_holds_beside_its_kink_is_off() {
-    let printed = Planted::<_, true>(Strip).kinks_as_printed();
+    let printed = <dyn AnyFormula>::kinks_as_printed(&Planted::<_, true>(Strip));
     let [(_, Printed::Off(why))] = printed.as_slice() else { panic!("{printed:?}") };
     assert_eq!(why, r#"`f_2^2 \le 0.0001` is so at {"f2":0.002,"f3":4.0}"#);
-    let printed = Planted::<_, true>(Difference).kinks_as_printed();
+    let printed = <dyn AnyFormula>::kinks_as_printed(&Planted::<_, true>(Difference));
     assert_eq!(printed, [("f_2 = f_3".to_owned(), Printed::Executed(4))]);
 }
 

@@ -178,7 +178,7 @@ fn there_is_a_step_in_every_decade_at_least() {
 fn time_is_taken_at_the_first_of_the_points_at_which_errors_are_found() {
     let mut sampler = Sampler::new::<Cube>(OPTIONS.seed);
     let expected: Vec<_> = (0..7).map(|_| sampler.inputs::<Cube>().components()).collect();
-    assert_eq!(Cube.timing_inputs(&OPTIONS), expected.concat());
+    assert_eq!(<dyn AnyFormula>::timing_inputs(&Cube, &OPTIONS), expected.concat());
 }
 
 #[test]

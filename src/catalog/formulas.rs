@@ -77,45 +77,48 @@ pub trait AnyFormula: Described {
     #[cfg(feature = "measure-by-id")]
     /// Times every method of computing it, and adds the times to the measurement of the errors.
     fn times(&self, options: &measure::Options, measurement: &mut Measurement);
+}
 
+/// What follows for any formula from what the trait asks for, compiled once for all of them.
+impl dyn AnyFormula + '_ {
     /// The flags of its own cases.
-    fn cases(&self) -> Vec<Flag> {
+    pub fn cases(&self) -> Vec<Flag> {
         (self.subject().cases)().iter().map(|case| case.flag).collect()
     }
     /// Its own laws in words.
-    fn laws(&self) -> Vec<String> {
+    pub fn laws(&self) -> Vec<String> {
         self.subject().laws.into_iter().map(|law| law.statement).collect()
     }
     /// Its kinks.
-    fn kinks(&self) -> Vec<KinkEntry> {
+    pub fn kinks(&self) -> Vec<KinkEntry> {
         let subject = self.subject();
         subject.kinks.iter().map(|kink| KinkEntry::of(&subject, kink)).collect()
     }
     /// Its golden file, computed anew.
-    fn golden(&self) -> golden::File {
+    pub fn golden(&self) -> golden::File {
         self.golden_with(golden::LEAST_RANDOM)
     }
     /// Its golden file with at least this many random cases.
-    fn golden_with(&self, least_random: usize) -> golden::File {
+    pub fn golden_with(&self, least_random: usize) -> golden::File {
         golden::of(&self.subject(), least_random)
     }
     /// The cases of its golden file without their results; inputs by components in order.
-    fn golden_cases(&self) -> Vec<Case<Vec<f64>>> {
+    pub fn golden_cases(&self) -> Vec<Case<Vec<f64>>> {
         golden::cases(&self.subject(), golden::LEAST_RANDOM)
     }
     /// Its audit, executed anew.
-    fn audit(&self, options: &Options) -> Audit {
+    pub fn audit(&self, options: &Options) -> Audit {
         self.audit_part(options, Shard::WHOLE).complete()
     }
     /// A part of its audit, with its share of the random points.
-    fn audit_part(&self, options: &Options, shard: Shard) -> Part {
+    pub fn audit_part(&self, options: &Options, shard: Shard) -> Part {
         Part::of(&self.subject(), options, shard)
     }
     /// Its audit at one point, given by components in order.
     ///
     /// # Errors
     /// As [`AnyFormula::value`].
-    fn audit_at(&self, components: &[f64]) -> Result<Audit, Error> {
+    pub fn audit_at(&self, components: &[f64]) -> Result<Audit, Error> {
         expect(count(self.inputs()), components.len())?;
         audit_point(&self.subject(), components.to_vec())
     }
@@ -123,48 +126,48 @@ pub trait AnyFormula: Described {
     ///
     /// # Errors
     /// As [`AnyFormula::value`], and if a result overflows.
-    fn eta_at(&self, components: &[f64]) -> Result<Vec<Claim>, Error> {
+    pub fn eta_at(&self, components: &[f64]) -> Result<Vec<Claim>, Error> {
         self.value_and_closed_jacobian(components)?;
         Ok(eta_point(&self.subject(), components.to_vec()))
     }
     /// The specification with inputs and outputs, as equations refer to it.
-    fn signature(&self) -> Signature {
+    pub fn signature(&self) -> Signature {
         Signature { spec: self.spec(), inputs: self.inputs(), outputs: self.outputs() }
     }
     /// Points at which an equation written by somebody else can be tried.
-    fn trial(&self, options: &Options) -> Trial {
+    pub fn trial(&self, options: &Options) -> Trial {
         Trial::of(&self.subject(), options)
     }
     /// The judge of another program's results for it.
-    fn judge(&self) -> Judge {
+    pub fn judge(&self) -> Judge {
         Judge::of(self.subject())
     }
     /// The claims of its audit about the printed equation: about its value and about its Jacobian.
-    fn audit_equation(&self, options: &Options) -> [Claim; 2] {
+    pub fn audit_equation(&self, options: &Options) -> [Claim; 2] {
         audit_equation(&self.subject(), options)
     }
     /// The claims of prose about it, checked anew.
-    fn claims(&self, claims: &Claims, options: &Options) -> Claim {
+    pub fn claims(&self, claims: &Claims, options: &Options) -> Claim {
         claims_about(&self.subject(), claims, options)
     }
     /// The conditions of its kinks, executed as printed.
-    fn kinks_as_printed(&self) -> Vec<(String, Printed)> {
+    pub fn kinks_as_printed(&self) -> Vec<(String, Printed)> {
         kinks_as_printed(&self.subject())
     }
     /// The value of an expression about it.
-    fn number(&self, expression: &Claims) -> Octuple {
+    pub fn number(&self, expression: &Claims) -> Octuple {
         number_of(&self.subject(), expression)
     }
     /// The bounds of η of value and Jacobian, checked at this many points whose inputs are 0 or from 1/`scale` to `scale` in
     /// size.
-    fn eta_at_scale(&self, scale: f64, options: &Options) -> Vec<Claim> {
+    pub fn eta_at_scale(&self, scale: f64, options: &Options) -> Vec<Claim> {
         eta_at_scale(&self.subject(), scale, options)
     }
     /// Outputs and Jacobian computed together.
     ///
     /// # Errors
     /// As [`AnyFormula::value_and_jacobian_into`].
-    fn value_and_jacobian(&self, components: &[f64]) -> Result<(Vec<f64>, Vec<f64>), Error> {
+    pub fn value_and_jacobian(&self, components: &[f64]) -> Result<(Vec<f64>, Vec<f64>), Error> {
         let mut value = vec![0.0; count(self.outputs())];
         let mut jacobian = vec![0.0; value.len() * count(self.inputs())];
         self.value_and_jacobian_into(components, &mut value, &mut jacobian)?;
@@ -174,7 +177,7 @@ pub trait AnyFormula: Described {
     ///
     /// # Errors
     /// As [`AnyFormula::value_and_jacobian`].
-    fn value_and_closed_jacobian(&self, components: &[f64]) -> Result<(Vec<f64>, Vec<f64>), Error> {
+    pub fn value_and_closed_jacobian(&self, components: &[f64]) -> Result<(Vec<f64>, Vec<f64>), Error> {
         if self.spec().is_closed() {
             self.value_and_jacobian(components)
         } else {
@@ -183,7 +186,7 @@ pub trait AnyFormula: Described {
     }
     #[cfg(feature = "measure")]
     /// The points used for timing: all components of the first point, then of the next.
-    fn timing_inputs(&self, options: &measure::Options) -> Vec<f64> {
+    pub fn timing_inputs(&self, options: &measure::Options) -> Vec<f64> {
         options.timing_inputs(&self.subject()).concat()
     }
 }

@@ -72,21 +72,15 @@ pub trait Fields<T: Component>: Component {
 
     /// The components in order.
     fn components(&self) -> Vec<T> {
-        let mut all = Vec::new();
-        self.for_each_component(&mut |component| all.push(component));
-        all
+        let mut all = Gathered(Vec::with_capacity(Self::LEN));
+        self.accept(&mut all);
+        all.0
     }
 
     /// The struct with these components; `None` if their number is wrong.
     #[inline]
     fn from_slice(components: &[T]) -> Option<Self> {
-        let mut k = 0;
-        (components.len() == Self::LEN).then(|| {
-            Self::from_components(&mut || {
-                k += 1;
-                components[k - 1]
-            })
-        })
+        (components.len() == Self::LEN).then(|| Self::from_components(&mut following(components)))
     }
 }
 
@@ -113,6 +107,42 @@ impl<T, F: FnMut(T)> Visitor<T> for Each<'_, F> {
     }
 }
 
+/// Calls a closure with the field that the components belong to.
+#[doc(hidden)]
+pub struct OfField<'f, F> {
+    pub field: &'static Field,
+    pub visit: &'f mut F,
+}
+
+impl<T, F: FnMut(&'static Field, T)> Visitor<T> for OfField<'_, F> {
+    #[inline(always)]
+    fn visit(&mut self, component: T) {
+        (self.visit)(self.field, component);
+    }
+}
+
+// A closure is a type of its own for each struct in whose method it stands, with a copy of all that it is given to. What follows
+// is compiled once for each type of number.
+
+/// Components in order.
+struct Gathered<T>(Vec<T>);
+
+impl<T> Visitor<T> for Gathered<T> {
+    fn visit(&mut self, component: T) {
+        self.0.push(component);
+    }
+}
+
+/// One component after the other.
+#[inline(always)]
+pub(super) fn following<T: Copy>(components: &[T]) -> impl FnMut() -> T {
+    let mut k = 0;
+    move || {
+        k += 1;
+        components[k - 1]
+    }
+}
+
 /// The components of one field: a scalar, a short column, or a square matrix row by row.
 pub trait Part<T> {
     /// The number of components.
@@ -121,11 +151,6 @@ pub trait Part<T> {
     fn from_components(next: &mut impl FnMut() -> T) -> Self;
     /// Shows a visitor the components in order.
     fn accept(&self, visitor: &mut impl Visitor<T>);
-    /// Hands out the components in order.
-    #[inline(always)]
-    fn for_each_component(&self, visit: &mut impl FnMut(T)) {
-        self.accept(&mut Each(visit));
-    }
 }
 
 impl<T: Component> Part<T> for T {
@@ -248,7 +273,7 @@ macro_rules! fields {
             fn for_each_of_field(&self, visit: &mut impl FnMut(&'static $crate::formula::Field, $T)) {
                 $({
                     const FIELD: &$crate::formula::Field = &$crate::formula::Field::new(stringify!($field), &$quantity);
-                    $crate::formula::Part::for_each_component(&self.$field, &mut |component| visit(FIELD, component));
+                    $crate::formula::Part::accept(&self.$field, &mut $crate::formula::OfField { field: FIELD, visit });
                 })*
             }
             #[inline(always)]
@@ -266,11 +291,11 @@ macro_rules! fields {
 #[cfg(feature = "verify")]
 /// The entries of a Jacobian, output by output, each over all inputs.
 pub(crate) fn entries<T: Component, I: Fields<T>>(jacobian: &impl Fields<I>) -> Vec<T> {
-    let mut all = Vec::new();
+    let mut all = Gathered(Vec::new());
     for gradient in jacobian.components() {
-        gradient.for_each_component(&mut |entry| all.push(entry));
+        gradient.accept(&mut all);
     }
-    all
+    all.0
 }
 
 /// The struct with these components.

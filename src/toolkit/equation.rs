@@ -38,9 +38,9 @@
 //! use jointproof::catalog::AnyFormula;
 //! use jointproof::connector::slot::ContactForce;
 //!
-//! let equation = Equation::read(r"F_C = \sqrt{f_2^2 + f_3^2}", &[], &ContactForce.signature())?;
+//! let equation = Equation::read(r"F_C = \sqrt{f_2^2 + f_3^2}", &[], &<dyn AnyFormula>::signature(&ContactForce))?;
 //! assert_eq!(equation.values(&[3.0, 4.0], &[]), [5.0]);
-//! let error = Equation::read(r"F_C = \sqrt{f_2^2 + f_4^2}", &[], &ContactForce.signature()).unwrap_err();
+//! let error = Equation::read(r"F_C = \sqrt{f_2^2 + f_4^2}", &[], &<dyn AnyFormula>::signature(&ContactForce)).unwrap_err();
 //! assert_eq!(error.to_string(), "the equation of yours, byte 20: f_4 is nobody's symbol");
 //! # Ok::<(), jointproof::toolkit::equation::Error>(())
 //! ```
@@ -386,7 +386,8 @@ mod tests {
     #[test]
     fn a_number_is_not_defined_by_what_looks_like_a_component_of_it() {
         let latex = r"F = \sqrt{F_1 + f_3^2},\quad F_1 = f_2^2";
-        let equation = Equation::read(latex, &[("F", "fc")], &ContactForce.signature()).expect("it can be read");
+        let equation =
+            Equation::read(latex, &[("F", "fc")], &<dyn AnyFormula>::signature(&ContactForce)).expect("it can be read");
         assert_eq!(equation.values(&[3.0, 4.0], &[]), [5.0]);
     }
 }

@@ -4,7 +4,7 @@
 
 use super::lanes::{Column, Failure, LANES, Lanes, Wiring};
 use crate::formula::error::Error;
-use crate::formula::{Described, Field, Fields, Formula};
+use crate::formula::{Described, Fields, Formula};
 use crate::number::scalar::abs;
 use crate::{Octuple, Scalar};
 use std::cell::Cell;
@@ -104,10 +104,11 @@ fn run<F: Formula, T: Number>(wiring: &Wiring, lanes: &mut Lanes<'_, T>, failure
         column(register).set(*output);
     }
     if !sound {
-        failures.extend((0..count).filter_map(|lane| {
-            let error = error_of::<F, T>(&inputs_of::<F, T>(&from, lane))?;
-            Some(Failure { element: lanes.first + lane, formula: F::SPEC.id, error })
-        }));
+        for lane in 0..count {
+            if let Some(error) = error_of::<F, T>(&inputs_of::<F, T>(&from, lane)) {
+                failures.push(Failure { element: lanes.first + lane, formula: F::SPEC.id, error });
+            }
+        }
     }
 }
 
@@ -134,10 +135,13 @@ fn error_of<F: Formula, T: Number>(inputs: &F::Inputs<T>) -> Option<Error> {
     if let Err(error) = T::validate::<F>(inputs) {
         return Some(error);
     }
-    let mut components = F::eval(inputs).components().into_iter();
-    let mut overflows = |field: &&Field| components.by_ref().take(field.len()).any(|value| !is_double(value));
-    let field = F::Outputs::<T>::FIELDS.iter().find(|field| overflows(field))?;
-    Some(Error::Overflow { name: field.name })
+    let mut name = None;
+    F::eval(inputs).for_each_of_field(&mut |field, value| {
+        if !is_double(value) {
+            name.get_or_insert(field.name);
+        }
+    });
+    name.map(|name| Error::Overflow { name })
 }
 
 /// Neither NaN nor larger than the largest double.

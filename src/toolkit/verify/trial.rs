@@ -20,9 +20,9 @@ use crate::toolkit::equation::Equation;
 ///
 /// let trial = ContactForce.trial(&Options { samples: 5, seed: 1 });
 /// let renamed = [("a", "f2"), ("b", "f3"), ("F", "fc")];
-/// let right = Equation::read(r"F = \sqrt{a^2 + b^2}", &renamed, &ContactForce.signature())?;
+/// let right = Equation::read(r"F = \sqrt{a^2 + b^2}", &renamed, &<dyn AnyFormula>::signature(&ContactForce))?;
 /// assert!(trial.compare(&right).held());
-/// let wrong = Equation::read(r"F = \sqrt{a^2 - b^2}", &renamed, &ContactForce.signature())?;
+/// let wrong = Equation::read(r"F = \sqrt{a^2 - b^2}", &renamed, &<dyn AnyFormula>::signature(&ContactForce))?;
 /// assert_eq!(trial.first_difference(&wrong).unwrap().entry, "fc");
 /// # Ok::<(), jointproof::toolkit::equation::Error>(())
 /// ```
@@ -114,7 +114,7 @@ mod tests {
 
     fn read(latex: &str) -> Equation {
         let renamed = [("a", "f2"), ("b", "f3"), ("F", "fc")];
-        Equation::read(latex, &renamed, &ContactForce.signature()).expect("it can be read")
+        Equation::read(latex, &renamed, &<dyn AnyFormula>::signature(&ContactForce)).expect("it can be read")
     }
 
     /// A deviation at one of many points is found there, and nothing elsewhere.

@@ -213,7 +213,7 @@ fn triads_stay_triads() {
 fn the_graph_in_237_bits_is_nearly_the_formula() {
     assert_eq!(Octuple::constant(std::f64::consts::PI), Octuple::PI);
     visit(&interaction::PressureExponential, |_, around, inputs, pass| {
-        let claims = interaction::PressureExponential.eta_at(inputs).expect("it is valid");
+        let claims = <dyn AnyFormula>::eta_at(&interaction::PressureExponential, inputs).expect("it is valid");
         let most = claims[usize::from(around.target.is_jacobian)].worst.as_ref().map_or(0.0, |worst| worst.size);
         let eta = exact::eta(around.graph, around.target, inputs, pass);
         assert!(eta <= most + 0.5, "{eta} of {most} at {inputs:?}");

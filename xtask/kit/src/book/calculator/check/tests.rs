@@ -112,7 +112,7 @@ fn what_all_inputs_together_must_be_may_be_said_without_their_values() {
 
 #[test]
 fn every_input_alone_must_be_in_its_domain_and_finite() {
-    let golden = AnyFormula::golden(&slot::Friction);
+    let golden = <dyn AnyFormula>::golden(&slot::Friction);
     let mut checked = Checked::default();
     let one = One { formula: &slot::Friction, golden: &golden, checked: &mut checked };
     let names: Vec<_> = one.formula.inputs().iter().map(|field| field.name).collect();
@@ -161,7 +161,7 @@ fn the_backward_error_is_counted_in_units_of_the_last_place_and_never_below_the_
 
 #[test]
 fn the_largest_share_of_each_bound_is_kept_and_more_than_all_is_off() {
-    let mut golden = AnyFormula::golden(&slot::ContactForce);
+    let mut golden = <dyn AnyFormula>::golden(&slot::ContactForce);
     (golden.eta.value, golden.eta.jacobian) = (0.5, Some(4.0));
     let mut checked = Checked::default();
     let case = golden.cases[0].clone();
@@ -191,7 +191,7 @@ fn where_languages_have_their_own_functions_the_last_digits_may_differ() {
     assert_eq!((checked.numbers, checked.near, checked.differ, checked.off.len()), (2, 1, 1, 1));
     // Square roots are the same in every language.
     let mut checked = Checked::default();
-    let (formula, case) = (&slot::ContactForce, &AnyFormula::golden(&slot::ContactForce).cases[0]);
+    let (formula, case) = (&slot::ContactForce, &<dyn AnyFormula>::golden(&slot::ContactForce).cases[0]);
     One { formula, golden: &golden, checked: &mut checked }.number(case, 0, 1.0 + f64::EPSILON, 1.0).unwrap();
     assert_eq!((checked.near, checked.differ), (0, 1));
 }
