@@ -38,9 +38,10 @@
 //! use jointproof::catalog::AnyFormula;
 //! use jointproof::connector::slot::ContactForce;
 //!
-//! let equation = Equation::read(r"F_C = \sqrt{f_2^2 + f_3^2}", &[], &<dyn AnyFormula>::signature(&ContactForce))?;
+//! let formula: &dyn AnyFormula = &ContactForce;
+//! let equation = Equation::read(r"F_C = \sqrt{f_2^2 + f_3^2}", &[], &formula.signature())?;
 //! assert_eq!(equation.values(&[3.0, 4.0], &[]), [5.0]);
-//! let error = Equation::read(r"F_C = \sqrt{f_2^2 + f_4^2}", &[], &<dyn AnyFormula>::signature(&ContactForce)).unwrap_err();
+//! let error = Equation::read(r"F_C = \sqrt{f_2^2 + f_4^2}", &[], &formula.signature()).unwrap_err();
 //! assert_eq!(error.to_string(), "the equation of yours, byte 20: f_4 is nobody's symbol");
 //! # Ok::<(), jointproof::toolkit::equation::Error>(())
 //! ```

@@ -13,7 +13,8 @@ use crate::{Error, Octuple};
 /// use jointproof::catalog::AnyFormula;
 /// use jointproof::connector::slot::ContactForce;
 ///
-/// let truth = ContactForce.judge().at(&[3.0, 4.0], true)?;
+/// let formula: &dyn AnyFormula = &ContactForce;
+/// let truth = formula.judge().at(&[3.0, 4.0], true)?;
 /// assert_eq!(truth.value[0].eta(5.0), 0.0);
 /// assert!(truth.jacobian.unwrap()[0].eta(0.6 * (1.0 + 1e-6)) > 1e9);
 /// # Ok::<(), jointproof::Error>(())

@@ -18,11 +18,12 @@ use crate::toolkit::equation::Equation;
 /// use jointproof::connector::slot::ContactForce;
 /// use jointproof::toolkit::verify::Options;
 ///
-/// let trial = ContactForce.trial(&Options { samples: 5, seed: 1 });
+/// let formula: &dyn AnyFormula = &ContactForce;
+/// let trial = formula.trial(&Options { samples: 5, seed: 1 });
 /// let renamed = [("a", "f2"), ("b", "f3"), ("F", "fc")];
-/// let right = Equation::read(r"F = \sqrt{a^2 + b^2}", &renamed, &<dyn AnyFormula>::signature(&ContactForce))?;
+/// let right = Equation::read(r"F = \sqrt{a^2 + b^2}", &renamed, &formula.signature())?;
 /// assert!(trial.compare(&right).held());
-/// let wrong = Equation::read(r"F = \sqrt{a^2 - b^2}", &renamed, &<dyn AnyFormula>::signature(&ContactForce))?;
+/// let wrong = Equation::read(r"F = \sqrt{a^2 - b^2}", &renamed, &formula.signature())?;
 /// assert_eq!(trial.first_difference(&wrong).unwrap().entry, "fc");
 /// # Ok::<(), jointproof::toolkit::equation::Error>(())
 /// ```
