@@ -176,7 +176,7 @@ impl dyn AnyFormula + '_ {
     /// Outputs, and the Jacobian if it is in closed form: the contents of golden files and of exports.
     ///
     /// # Errors
-    /// As [`AnyFormula::value_and_jacobian`].
+    /// As [`AnyFormula::value_and_jacobian_into`].
     pub fn value_and_closed_jacobian(&self, components: &[f64]) -> Result<(Vec<f64>, Vec<f64>), Error> {
         if self.spec().is_closed() {
             self.value_and_jacobian(components)
