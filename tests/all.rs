@@ -26,6 +26,7 @@ mod octuple;
 mod properties;
 mod provenance;
 mod rings;
+mod running;
 mod scale;
 mod scene_clarity;
 mod scene_column_faults;
