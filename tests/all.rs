@@ -44,6 +44,7 @@ mod scene_slide_lines;
 mod scene_tables;
 mod scene_ujoint;
 mod scenes;
+mod sheets;
 mod slide_line;
 mod slide_line_scaling;
 mod slider;
