@@ -107,7 +107,7 @@ impl Proved for BasisVariation {
                 let second = dt2.iter().zip(&jac.t2).map(|(&dt, &row)| (dt, along(row)));
                 law::equal_all_with(first.chain(second), spin * law::length(i.n))
             }),
-            Law::<Self>::new("the directions stay across the line: n·dt_q + dn·t_q = 0", |i| {
+            Law::<Self>::new("the directions remain normal to the line: n·dt_q + dn·t_q = 0", |i| {
                 let Tangents { t1, t2 } = Basis::eval(&LineDirection { n: i.n });
                 let TangentChanges { dt1, dt2 } = Self::eval(i);
                 let pairs = [(i.n.dot(&dt1), -i.dn.dot(&t1)), (i.n.dot(&dt2), -i.dn.dot(&t2))];

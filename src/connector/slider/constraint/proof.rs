@@ -31,7 +31,7 @@ impl Proved for Constraint {
 
     fn invalid_cases() -> Vec<Case<Nodes<f64>>> {
         let x1 = Vector3::new(1.0, 2.0, 3.0);
-        vec![Case::invalid("coincident", "nodes 1 and n at one place", Nodes { x1, xn: x1, xm: Vector3::zeros() })]
+        vec![Case::invalid("coincident", "nodes 1 and n coincide", Nodes { x1, xn: x1, xm: Vector3::zeros() })]
     }
 
     fn kinks() -> Vec<Kink<Self>> {
@@ -102,7 +102,7 @@ impl Proved for IncrementalConstraint {
     fn invalid_cases() -> Vec<Case<MovingNodes<f64>>> {
         let (x1, zero) = (Vector3::new(1.0, 2.0, 3.0), Vector3::zeros());
         let inputs = MovingNodes { x1, xn: x1, xm: zero, dx1: zero, dxn: zero, dxm: zero };
-        vec![Case::invalid("coincident", "nodes 1 and n at one place", inputs)]
+        vec![Case::invalid("coincident", "nodes 1 and n coincide", inputs)]
     }
 
     fn kinks() -> Vec<Kink<Self>> {

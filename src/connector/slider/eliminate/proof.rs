@@ -39,7 +39,7 @@ impl Proved for Eliminate {
 
     fn invalid_cases() -> Vec<Case<KeptCoordinate<f64>>> {
         let x1 = Vector3::new(1.0, 2.0, 3.0);
-        vec![Case::invalid("coincident", "nodes 1 and n at one place", KeptCoordinate { x1, xn: x1, xmk: 1.0 })]
+        vec![Case::invalid("coincident", "nodes 1 and n coincide", KeptCoordinate { x1, xn: x1, xmk: 1.0 })]
     }
 
     fn kinks() -> Vec<Kink<Self>> {
@@ -120,7 +120,7 @@ impl Proved for Increment {
     fn invalid_cases() -> Vec<Case<KeptIncrement<f64>>> {
         let (x1, zero) = (Vector3::new(1.0, 2.0, 3.0), Vector3::zeros());
         let inputs = KeptIncrement { x1, xn: x1, xm: zero, dx1: zero, dxn: zero, dxmk: 0.0 };
-        vec![Case::invalid("coincident", "nodes 1 and n at one place", inputs)]
+        vec![Case::invalid("coincident", "nodes 1 and n coincide", inputs)]
     }
 
     fn kinks() -> Vec<Kink<Self>> {

@@ -23,7 +23,7 @@ impl Proved for Line {
 
     fn invalid_cases() -> Vec<Case<Ends<f64>>> {
         let x1 = Vector3::new(1.0, 2.0, 3.0);
-        vec![Case::invalid("coincident", "both nodes at one place", Ends { x1, xn: x1 })]
+        vec![Case::invalid("coincident", "both nodes coincide", Ends { x1, xn: x1 })]
     }
 
     fn laws() -> Vec<Law<Self>> {
@@ -73,7 +73,7 @@ impl Proved for DirectionVariation {
     fn invalid_cases() -> Vec<Case<MovingEnds<f64>>> {
         let x1 = Vector3::new(1.0, 2.0, 3.0);
         let inputs = MovingEnds { x1, xn: x1, dx1: Vector3::x(), dxn: Vector3::y() };
-        vec![Case::invalid("coincident", "both nodes at one place", inputs)]
+        vec![Case::invalid("coincident", "both nodes coincide", inputs)]
     }
 
     fn laws() -> Vec<Law<Self>> {

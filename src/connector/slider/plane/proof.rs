@@ -36,7 +36,7 @@ impl Proved for Constraint2d {
 
     fn invalid_cases() -> Vec<Case<Nodes2d<f64>>> {
         let x1 = Vector2::new(1.0, 2.0);
-        vec![Case::invalid("coincident", "nodes 1 and n at one place", Nodes2d { x1, xn: x1, xm: Vector2::zeros() })]
+        vec![Case::invalid("coincident", "nodes 1 and n coincide", Nodes2d { x1, xn: x1, xm: Vector2::zeros() })]
     }
 
     fn laws() -> Vec<Law<Self>> {
@@ -86,7 +86,7 @@ impl Proved for IncrementalConstraint2d {
     fn invalid_cases() -> Vec<Case<MovingNodes2d<f64>>> {
         let (x1, zero) = (Vector2::new(1.0, 2.0), Vector2::zeros());
         let inputs = MovingNodes2d { x1, xn: x1, xm: zero, dx1: zero, dxn: zero, dxm: zero };
-        vec![Case::invalid("coincident", "nodes 1 and n at one place", inputs)]
+        vec![Case::invalid("coincident", "nodes 1 and n coincide", inputs)]
     }
 
     fn laws() -> Vec<Law<Self>> {
@@ -149,7 +149,7 @@ impl Proved for Eliminate2d {
 
     fn invalid_cases() -> Vec<Case<KeptCoordinate2d<f64>>> {
         let x1 = Vector2::new(1.0, 2.0);
-        vec![Case::invalid("coincident", "nodes 1 and n at one place", KeptCoordinate2d { x1, xn: x1, xmk: 1.0 })]
+        vec![Case::invalid("coincident", "nodes 1 and n coincide", KeptCoordinate2d { x1, xn: x1, xmk: 1.0 })]
     }
 
     fn kinks() -> Vec<Kink<Self>> {
@@ -210,7 +210,7 @@ impl Proved for Increment2d {
     fn invalid_cases() -> Vec<Case<KeptIncrement2d<f64>>> {
         let (x1, zero) = (Vector2::new(1.0, 2.0), Vector2::zeros());
         let inputs = KeptIncrement2d { x1, xn: x1, xm: zero, dx1: zero, dxn: zero, dxmk: 0.0 };
-        vec![Case::invalid("coincident", "nodes 1 and n at one place", inputs)]
+        vec![Case::invalid("coincident", "nodes 1 and n coincide", inputs)]
     }
 
     fn kinks() -> Vec<Kink<Self>> {

@@ -198,7 +198,7 @@ impl Proved for Stop {
             Case::limit("at-lower", "the lower gap is 0", StopLengths { x: 1.0, ..hand }),
             Case::limit("at-upper", "the upper gap is 0", StopLengths { x: 7.0, ..hand }),
             Case::hand("beyond", "the upper gap is negative", StopLengths { x: 8.0, ..hand }),
-            Case::hand("closed", "both stops at one place", StopLengths { l1_min: 7.0, ..hand }),
+            Case::hand("closed", "both stops coincide", StopLengths { l1_min: 7.0, ..hand }),
             Case::hard(
                 "ulp",
                 "one ulp from both stops",

@@ -75,7 +75,7 @@ impl Proved for ContactAreaParabolic {
             Case::hand("axis", "r → 0: a node on the axis has no area", nodes([0.0, 1.0], [0.5, 1.0], [1.0, 1.5])),
             Case::hard("near-axis", "r = 1e-200", nodes([1e-200, 1.0], [0.5, 1.25], [1.0, 1.0])),
             Case::hard("closed", "x1 = x3: derivative 0 by convention", nodes([1.0, 1.0], [2.0, 1.5], [1.0, 1.0])),
-            Case::hard("coincident", "all nodes at one place", nodes([1.5, 1.0], [1.5, 1.0], [1.5, 1.0])),
+            Case::hard("coincident", "all nodes coincide", nodes([1.5, 1.0], [1.5, 1.0], [1.5, 1.0])),
             {
                 let [x1, x2, x3] = ELEMENT;
                 Case::running("ℓ = 10: a sixth, two thirds, a sixth of 20π r", ParabolicNodes { x1, x2, x3 })

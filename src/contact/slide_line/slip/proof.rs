@@ -134,7 +134,7 @@ impl Proved for SlipIncrementParabolic {
         let at = |[x1, x2, x3]: [Vector2<f64>; 3], g| ParabolicMotion { x1, x2, x3, g, dxs, dx1, dx2, dx3: dx1 };
         let [x1, x2, _] = arch(1.0);
         vec![
-            Case::invalid("coincident", "two nodes at one place", at([x1, x2, x2], 0.5)),
+            Case::invalid("coincident", "two nodes coincide", at([x1, x2, x2], 0.5)),
             Case::invalid("no-tangent", "X' = 0 beside a quarter-point node", at(quarter_point(), -1.0)),
         ]
     }

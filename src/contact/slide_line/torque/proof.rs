@@ -92,7 +92,7 @@ impl Proved for TorqueParabolic {
             Case::hand("bowl", "a curved element", on(bowl, [0.5, 0.25, 0.75])),
             Case::hard("near-axis", "r = 1e-200", on([[1e-200, 1.0], [1e-200, 2.0], [1e-200, 3.5]], [5.0, 6.0, 7.0])),
             Case::hard("closed", "x1 = x3, X'(0) = 0", on([[1.0, 1.0], [2.0, 1.5], [1.0, 1.0]], [1.0, 2.0, 3.0])),
-            Case::hard("coincident", "all nodes at one place", on([[1.5, 1.0]; 3], [1.0, 2.0, 3.0])),
+            Case::hard("coincident", "all nodes coincide", on([[1.5, 1.0]; 3], [1.0, 2.0, 3.0])),
             {
                 let ([x1, x2, x3], [p1, p2, p3]) = (ELEMENT, PRESSURE);
                 Case::running("r² p, integrated from 3.2 to 9.2", ParabolicPressures { x1, x2, x3, p1, p2, p3 })

@@ -86,7 +86,7 @@ impl Proved for ClosestParabolic {
         let [x1, x2, _] = arch(1.0);
         let folded = [[1.0, 1.0], [4.0, 4.0], [5.0, 5.0]].map(Vector2::from);
         vec![
-            Case::invalid("coincident", "two nodes at one place", at([1.0, 3.0], [x1, x2, x2])),
+            Case::invalid("coincident", "two nodes coincide", at([1.0, 3.0], [x1, x2, x2])),
             Case::invalid("quarter-point-end", "foot where X' = 0", at([0.0, 1.0], quarter_point())),
             Case::invalid(
                 "folded",

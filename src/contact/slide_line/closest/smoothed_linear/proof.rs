@@ -50,7 +50,7 @@ impl Proved for ClosestSmoothedLinear {
             f: 0.25,
         };
         vec![
-            Case::invalid("coincident", "two nodes at one place", at([0.0, 1.0], [[1.0, 0.0], [2.0, 0.0], [2.0, 0.0]])),
+            Case::invalid("coincident", "two nodes coincide", at([0.0, 1.0], [[1.0, 0.0], [2.0, 0.0], [2.0, 0.0]])),
             Case::invalid(
                 "folded",
                 "the line turns straight back",

@@ -59,7 +59,7 @@ impl Proved for ClosestSmoothedParabolic {
         };
         let on_axis = |r: [f64; 5]| r.map(|r| [r, 0.0]);
         vec![
-            Case::invalid("coincident", "two nodes at one place", at([0.0, 1.0], on_axis([1.0, 2.0, 3.0, 3.0, 4.0]))),
+            Case::invalid("coincident", "two nodes coincide", at([0.0, 1.0], on_axis([1.0, 2.0, 3.0, 3.0, 4.0]))),
             Case::invalid("folded", "the line turns straight back", at([9.0, 0.0], on_axis([1.0, 2.0, 3.0, 2.0, 1.0]))),
         ]
     }

@@ -228,14 +228,14 @@ fn report(spec: &Spec, found: &Found) -> Report {
     let _ = if all.is_empty() {
         writeln!(text, "there is no state at which it answers")
     } else if off > 0 {
-        writeln!(text, "{matrix} is not {minus}the derivative of {value} by {input} at {off} of {states}")
+        writeln!(text, "{matrix} is not {minus}the derivative of {value} with respect to {input} at {off} of {states}")
     } else if decided == 0 {
         writeln!(text, "no derivative could be determined at {states}")
     } else {
         let [least, median] = digits(all);
         writeln!(
             text,
-            "{matrix} is {minus}the derivative of {value} by {input} at {states}, to {least:.1} digits and more, {median:.1} in the median"
+            "{matrix} is {minus}the derivative of {value} with respect to {input} at {states}, to {least:.1} digits and more, {median:.1} in the median"
         )
     };
     if off > 0 {
