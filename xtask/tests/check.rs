@@ -220,7 +220,7 @@ fn reviewers_are_told_on_the_line_of_the_routine() {
         let mut command = Bench::new().command(&[&arguments, [program].as_slice()].concat());
         Ran::from(command.env("GITHUB_STEP_SUMMARY", summary.path()).output().unwrap())
     };
-    github(&wrong).exits(1).prints("::error file=mine.f90,line=40,title=coulomb.yield%3A wrong sign: ∂phi/∂mu");
+    github(&wrong).exits(1).prints("::error file=mine.f90,line=40,title=coulomb.yield%3A wrong sign%3A ∂phi/∂mu");
     let written = std::fs::read_to_string(summary.path()).unwrap();
     assert!(written.contains("diagnosis: wrong sign: ∂phi/∂mu"), "{written}");
     // Of two causes the first becomes the title.
