@@ -193,7 +193,7 @@ mod tests {
         assert_eq!(
             [apart(0.0, 0.0), apart(1.0, -1.0), apart(2.0, 1.0)],
             [0.0, 2.0, 0.5],
-            "the difference of the two sides of the law, divided by the larger of them: 0 if it holds, 2 if they are opposite"
+            "the difference of the two sides of the law, divided by the larger of them, so 0 if it holds and 2 if they are opposite"
         );
         assert_eq!([apart(-2.0, 1.0), apart(1.0, -2.0), apart(1.0, 2.0), apart(-0.5, -0.25)], [1.5, 1.5, 0.5, 0.5]);
     }
