@@ -41,6 +41,13 @@ fn only_what_an_output_needs_is_evaluated_and_each_node_once() {
 }
 
 #[test]
+fn a_plan_counts_the_slave_nodes_of_one_line_and_its_elements() {
+    let lines = Plan::new(&scene(THREAD)).lines();
+    let counted = lines.iter().map(|line| (line.elements, line.kind));
+    assert_eq!(counted.collect::<Vec<_>>(), [[(5, "slave node"); 4].as_slice(), &[(4, "element")]].concat());
+}
+
+#[test]
 fn an_element_of_which_nothing_is_wanted_is_not_looked_for() {
     let text = THREAD.replace(r#""slide_line": "box" },"#, r#""slide_line": "box", "outputs": [] },"#);
     let last_only = scene(&text);
@@ -159,7 +166,7 @@ fn a_line_that_cannot_be_slid_on_is_named_with_the_state() {
     assert!(problems.contains("node \"b\" has the radius -1"), "{problems}");
     let problems = Results::of(&scene(text)).unwrap_err().to_string();
     assert!(
-        problems.contains("\"plate\", frames[1]") && problems.contains("nodes \"a\" and \"b\" are at one place"),
+        problems.contains("\"plate\", frames[1]") && problems.contains("nodes \"a\" and \"b\" coincide"),
         "{problems}"
     );
 }

@@ -118,7 +118,7 @@ fn the_scene_of_the_readme_is_the_first_example() {
     assert_eq!(results.get("guide", "CSF1", 1), Some(&[1.25][..]), "it slips at μ times 5");
 }
 
-/// A hinge between two nodes at one place, of which this one has these rotation vectors in turn; its angle in every state.
+/// A hinge between two coincident nodes, of which this one has these rotation vectors in turn; its angle in every state.
 fn hinged(node: &str, turns: &[[f64; 3]]) -> (Vec<f64>, Vec<String>) {
     let frame =
         |(time, ur): (usize, &[f64; 3])| format!(r#"{{"time": {time}, "nodes": {{"{node}": {{"ur": {ur:?}}}}}}}"#);

@@ -73,7 +73,7 @@ fn bad_nodes_are_named() {
         place(Interpolation::Linear, 3, &[[0.0; 2], [1.0; 2]]),
         "node 3 is unknown; allowed are nodes with coordinates"
     );
-    let coincident = "nodes 1 and 3 are at one place; allowed are different places";
+    let coincident = "nodes 1 and 3 coincide; allowed are different positions";
     assert_eq!(place(Interpolation::Parabolic, 3, &[[0.0; 2], [1.0; 2], [0.0; 2]]), coincident);
     // Billions of nodes are not expanded only to find that one is unknown.
     let endless = SlideLine::generate(Interpolation::Linear, 1, u32::MAX, 1).unwrap();

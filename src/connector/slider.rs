@@ -32,6 +32,8 @@ mod place;
 mod plane;
 pub mod rows;
 pub mod rows_plane;
+#[cfg(feature = "verify")]
+mod running;
 mod slide;
 mod span;
 #[cfg(feature = "scene")]

@@ -20,6 +20,8 @@ pub mod element;
 mod line;
 mod plane;
 mod points;
+#[cfg(feature = "verify")]
+mod running;
 pub(crate) mod shape;
 mod slip;
 mod torque;

@@ -27,7 +27,7 @@ use stumpff::Stumpff;
 
 /// The source of both formulas.
 const OURS: Source =
-    Document::UJOINT.ours("Description", "the page turns its nodes; programs have different unknowns for that");
+    Document::UJOINT.ours("Description", "the page rotates its nodes; programs use different unknowns for rotations");
 
 fields! {
     /// The rotation vector of a node, and the moment on the node.

@@ -11,7 +11,7 @@ mod kink;
 pub mod law;
 pub(crate) mod method;
 
-pub use case::{Case, Flag};
+pub use case::{Case, Flag, RUNNING};
 pub(crate) use element::inputs;
 pub use element::{ProvedElement, Rubbed, Step};
 pub use hard::Hard;

@@ -62,7 +62,7 @@ mod tests {
     fn the_textbook_is_right_and_both_mistakes_are_named() {
         let [(_, textbook), (_, mistaken)] = super::outputs().unwrap().try_into().unwrap();
         assert!(textbook.starts_with("ok ") && textbook.contains("overflows"), "{textbook}");
-        let causes = ["the sign is turned of ∂phi/∂mu", "left out (always 0): ∂phi/∂f2, ∂phi/∂f3"];
+        let causes = ["wrong sign: ∂phi/∂mu", "left out (always 0): ∂phi/∂f2, ∂phi/∂f3"];
         assert!(causes.iter().all(|cause| mistaken.contains(cause)), "{mistaken}");
     }
 }

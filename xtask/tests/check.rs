@@ -62,7 +62,7 @@ for line in sys.stdin:
     print(json.dumps(answer), flush=True)
 ";
     python(&["--json"], json).quiet();
-    python(&["--json"], &json.replace("-x['fn']", "x['fn']")).exits(1).prints("the sign is turned of ∂phi/∂mu");
+    python(&["--json"], &json.replace("-x['fn']", "x['fn']")).exits(1).prints("wrong sign: ∂phi/∂mu");
     let skipped = json.replace("answer = {'seq': asked['seq']}", "answer = {'seq': asked['seq'], 'skipped': 'later'}");
     python(&["--json"], &skipped).exits(1).prints("no answer at an ordinary point").prints(", …): later");
     let bits = "
@@ -171,7 +171,7 @@ for line in sys.stdin:
 #[test]
 fn the_worst_point_can_be_given_back() {
     let wrong = RIGHT.replace("-$3", "$3");
-    let ran = awk(&[], &wrong).exits(1).prints("diagnosis: the sign is turned of ∂phi/∂mu");
+    let ran = awk(&[], &wrong).exits(1).prints("diagnosis: wrong sign: ∂phi/∂mu");
     let point = ran.stdout.lines().find_map(|line| line.trim().strip_prefix("--point '")).unwrap();
     awk(&["--point", point.trim_end_matches('\'')], &wrong).exits(1).prints("1 point, each asked twice");
     awk(&["--point", point.trim_end_matches('\'')], RIGHT).quiet();
@@ -220,11 +220,9 @@ fn reviewers_are_told_on_the_line_of_the_routine() {
         let mut command = Bench::new().command(&[&arguments, [program].as_slice()].concat());
         Ran::from(command.env("GITHUB_STEP_SUMMARY", summary.path()).output().unwrap())
     };
-    github(&wrong)
-        .exits(1)
-        .prints("::error file=mine.f90,line=40,title=coulomb.yield%3A the sign is turned of ∂phi/∂mu");
+    github(&wrong).exits(1).prints("::error file=mine.f90,line=40,title=coulomb.yield%3A wrong sign%3A ∂phi/∂mu");
     let written = std::fs::read_to_string(summary.path()).unwrap();
-    assert!(written.contains("diagnosis: the sign is turned of ∂phi/∂mu"), "{written}");
+    assert!(written.contains("diagnosis: wrong sign: ∂phi/∂mu"), "{written}");
     // Of two causes the first becomes the title.
     let two = RIGHT.replace("-$3", "$3").replace("$1 - $2 * $3", "$1 * $1 - $2");
     github(&two).exits(1).prints("title=coulomb.yield%3A value%3A unexplained");

@@ -222,7 +222,7 @@ fn an_interaction_is_checked_by_its_pressure_and_by_its_friction() {
     assert!(said.contains("diagnosis: left out (always 0): ∂f/∂fn"), "{said}");
     let tension = ["STRESS(1) = PROPS(1)*RDISP(1)", "STRESS(1) = -PROPS(1)*RDISP(1)"];
     let said = checked(&UINTER, "interaction.pressure_linear", tension, 1);
-    assert!(said.contains("diagnosis: the sign is turned of p"), "{said}");
+    assert!(said.contains("diagnosis: wrong sign: p"), "{said}");
 }
 
 #[test]
@@ -232,7 +232,7 @@ fn constraints_are_checked_by_what_they_eliminate_and_by_their_distance() {
     }
     checked(&MPC, "slider.eliminate", AS_IT_IS, 0);
     let said = checked(&MPC, "slider.eliminate", ["a = [1.0_dp", "a = [-1.0_dp"], 1);
-    assert!(said.contains("diagnosis: the sign is turned of the whole Jacobian"), "{said}");
+    assert!(said.contains("diagnosis: wrong sign: the whole Jacobian"), "{said}");
     checked(&UMPC, "slider.constraint", AS_IT_IS, 0);
     let said = checked(&UMPC, "slider.constraint", ["jdof(k) = 1", "jdof(k) = k"], 1);
     assert!(said.contains("wrong"), "{said}");
@@ -251,7 +251,7 @@ fn an_element_is_checked_by_its_forces_and_by_its_constraint() {
         checked(&UEL, id, AS_IT_IS, 0);
     }
     let said = checked(&UEL, "slider.nodal_forces", ["= -of_f", "= of_f"], 1);
-    assert!(said.contains("diagnosis: the sign is turned of the whole Jacobian"), "{said}");
+    assert!(said.contains("diagnosis: wrong sign: the whole Jacobian"), "{said}");
 }
 
 #[test]

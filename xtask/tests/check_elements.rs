@@ -51,7 +51,7 @@ impl Exported {
         self.bench.run(&["check", "--element", self.element, "--strict", "--", program.to_str().unwrap()])
     }
 
-    /// The statements that say what the routine answers, each with its sign turned.
+    /// The statements that say what the routine answers, each with its sign reversed.
     fn turned(&self) -> Vec<[String; 2]> {
         let turned = |line: &str| {
             let (left, right) = line.split_once(" = ")?;

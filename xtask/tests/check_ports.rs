@@ -21,27 +21,27 @@ use Lang::{C, Fortran, Python};
 
 /// Every class is planted at least once, in three languages, over a dozen formulas.
 const PLANTED: &[Planted] = &[
-    planted("sign", C, "slot.friction", After("jacobian[1][1] = -jacobian[1][1];"), "the sign is turned of ∂fn/∂f2"),
+    planted("sign", C, "slot.friction", After("jacobian[1][1] = -jacobian[1][1];"), "wrong sign: ∂fn/∂f2"),
     planted(
         "sign",
         Python,
         "slot.contact_force",
         After("rows[0] = [-x for x in rows[0]]"),
-        "the sign is turned of the whole Jacobian",
+        "wrong sign: the whole Jacobian",
     ),
     planted(
         "sign of all",
         Fortran,
         "universal.kinetic_moment",
         After("j_all = -j_all"),
-        "the sign is turned of the whole Jacobian",
+        "wrong sign: the whole Jacobian",
     ),
     planted(
         "sign of an output",
         Python,
         "slot.friction",
         After("outputs[2] *= -1; rows[2] = [-x for x in rows[2]]"),
-        "the sign is turned of phi, and the derivatives of phi",
+        "wrong sign: phi, and the derivatives of phi",
     ),
     planted(
         "transposed",
@@ -107,7 +107,7 @@ const PLANTED: &[Planted] = &[
         After(
             "for (int i = 0; i < outputs; ++i) { double t = jacobian[i][1]; jacobian[i][1] = jacobian[i][2]; jacobian[i][2] = t; }",
         ),
-        "exchanged: the derivatives by f2 and f3",
+        "exchanged: the derivatives with respect to f2 and f3",
     ),
     planted(
         "index swapped",
@@ -149,7 +149,7 @@ const PLANTED: &[Planted] = &[
         Python,
         "slot.friction",
         Within("t6 + fc_int", "t6 - fc_int"),
-        "the sign of the input fc_int is turned",
+        "the sign of the input fc_int is reversed",
     ),
     planted("sign of a term", C, "translator.friction", Within("t25 - t77", "t25 + t77"), "value: the sign of mu"),
     planted(

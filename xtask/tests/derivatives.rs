@@ -32,7 +32,7 @@ const MISTAKES: &[Mistake] = &[
     Mistake {
         element: TRUSS,
         texts: &[["BLOCK(K,J) = STIFF*D", "BLOCK(K,J) = -STIFF*D"], ["BLOCK(K,K) + STIFF", "BLOCK(K,K) - STIFF"]],
-        says: "the sign is turned: AMATRX is plus the derivative of RHS with respect to U",
+        says: "wrong sign: AMATRX is plus the derivative of RHS with respect to U",
     },
     Mistake {
         element: TRUSS,
@@ -72,7 +72,7 @@ const MISTAKES: &[Mistake] = &[
     Mistake {
         element: QUAD,
         texts: &[[END, "    amatrx(3:4, 5:6) = -amatrx(3:4, 5:6)\n"]],
-        says: "the sign is turned of AMATRX(3:4,5:6)",
+        says: "wrong sign: AMATRX(3:4,5:6)",
     },
     Mistake {
         element: BEAM,
@@ -189,7 +189,7 @@ fn a_friction_model_is_compared_with_itself_and_its_kink_is_told() {
     }
     checked("fric.f90", FRIC, SLIPS).exits(0).prints("(DDTDDG,DDTDDP) is the derivative of TAU");
     let wrong = FRIC.replace("s * dmu * press * sign", "-s * dmu * press * sign");
-    checked("fric.f90", &wrong, SLIPS).exits(1).prints("the sign is turned of (DDTDDG,DDTDDP)(1,1)");
+    checked("fric.f90", &wrong, SLIPS).exits(1).prints("wrong sign: (DDTDDG,DDTDDP)(1,1)");
     // On the limit itself: 1 + 100 · 0.02 is 0.3 · 10, at a rate of 0 in the exponent.
     let limit = "routine = \"fric\"\nat = [0.02, 10.0]\ntau = [1.0]\nprops = [0.3, 0.3, 1.5, 100.0]\n";
     let ran = checked("fric.f90", FRIC, limit).exits(0);
@@ -210,7 +210,7 @@ fn any_program_is_compared_and_what_is_wrong_in_the_file_is_told() {
     let file = toml("routine = \"program\"\nat = [3.0, 4.0]\noutputs = 1\n");
     let run = |program: &str| bench.run(&["check", "--derivative", &file, "--", "sh", "-c", program]);
     run(&of("1")).exits(0).prints("J is the derivative of f with respect to x");
-    run(&of("-1")).exits(1).prints("the sign is turned of J(1,2)");
+    run(&of("-1")).exits(1).prints("wrong sign: J(1,2)");
     let ran = bench.run(&["check", "--derivative", &file, "--format", "json", "--", "sh", "-c", &of("-1")]).exits(1);
     let said: serde_json::Value = serde_json::from_str(&ran.stdout).unwrap();
     assert_eq!(

@@ -76,10 +76,10 @@ fn another_project_gets_as_many_random_cases_as_it_wants() {
 fn every_kind_of_difference_is_named() {
     type Change = fn(&mut File);
     let changes: [(Change, &str); 6] = [
-        (|file| file.cases[0].jac = None, "case pythagoras jac\n    - null\n    + {"),
+        (|file| file.cases[0].jac = None, "case running jac\n    - null\n    + {"),
         (|file| drop(file.cases.remove(1)), "case plane\n    - absent\n    + present\n"),
         (|file| file.cases[1].id = "stranger".into(), "case stranger\n    - present\n    + absent\n"),
-        (|file| file.cases[0].comment = "changed".into(), "case pythagoras comment\n    - \"changed\""),
+        (|file| file.cases[0].comment = "changed".into(), "case running comment\n    - \"changed\""),
         (|file| file.cases.swap(0, 1), "the cases agree, the description or the layout differs"),
         (|file| file.title = "Changed".into(), "the cases agree, the description or the layout differs"),
     ];

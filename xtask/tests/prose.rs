@@ -7,7 +7,7 @@ use std::fs;
 
 /// A copy of the chapters, and of the files that their numbers refer to.
 fn bench() -> Bench {
-    Bench::with(&["book/src", "tests", "src"])
+    Bench::with(&["book/src", "tests", "src", "xtask/src"])
 }
 
 /// Replaces a text of a chapter that occurs once.
@@ -46,7 +46,7 @@ fn what_is_wrong_in_the_chapters_is_found_and_nothing_else() {
         .run(&["equation", "--samples", "0"])
         .exits(1)
         .prints("comparisons differ, most")
-        .prints("translator.md:20: 3.8 is not 3.73")
+        .prints("translator.md:22: 3.8 is not 3.73")
         .prints("`isl::areas_of_nodes_against_their_integrals` has no 9.16 in it")
         .prints("`CLOSED_AGAINST_AD` has no 61 in it")
         .prints("coulomb.md:3: 0.02 does not say where it is from")

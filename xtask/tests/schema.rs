@@ -157,7 +157,7 @@ fn what_may_differ_is_accepted() {
             f["inputs"][0]["shape"] = json!([3, 3]);
             f["cases"][v]["in"]["e1a"] = json!([[1, 0, 0], [0, 1, 0], [0, 0, 1]]);
         }),
-        ("the derivative of a matrix by a matrix", |f, v, _| {
+        ("the derivative of a matrix with respect to a matrix", |f, v, _| {
             f["cases"][v]["jac"]["f"]["e1a"] =
                 json!([[[[0, 1], [1, 0]], [[1, 0], [0, 1]]], [[[0, 0], [0, 0]], [[0, 0], [1, 1]]]]);
         }),

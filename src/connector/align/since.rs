@@ -36,13 +36,13 @@ pub const R20: Quantity = vector(r"\mathbf{r}_{20}", Domain::Real, "second axis 
 pub const R30: Quantity = vector(r"\mathbf{r}_{30}", Domain::Real, "third axis of b in a's triad at the start");
 /// First axis of a at the start, rotated with b.
 pub const Q1: Quantity =
-    vector(r"\mathbf{q}_1", Domain::Vector, "where b has turned the first axis of a since the start");
+    vector(r"\mathbf{q}_1", Domain::Vector, "where b has rotated the first axis of a since the start");
 /// Second axis of a at the start, rotated with b.
 pub const Q2: Quantity =
-    vector(r"\mathbf{q}_2", Domain::Vector, "where b has turned the second axis of a since the start");
+    vector(r"\mathbf{q}_2", Domain::Vector, "where b has rotated the second axis of a since the start");
 /// Third axis of a at the start, rotated with b.
 pub const Q3: Quantity =
-    vector(r"\mathbf{q}_3", Domain::Vector, "where b has turned the third axis of a since the start");
+    vector(r"\mathbf{q}_3", Domain::Vector, "where b has rotated the third axis of a since the start");
 
 fields! {
     /// The axes of b, relative to a.

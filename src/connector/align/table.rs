@@ -43,19 +43,19 @@ pub(crate) const URS1: Quantity = Quantity::scalar(
     r"u_{r1}",
     Unit::ONE,
     Domain::Angle,
-    "first Cardan angle by which b has turned against a since the start",
+    "first Cardan angle by which b has rotated relative to a since the start",
 );
 pub(crate) const URS2: Quantity = Quantity::scalar(
     r"u_{r2}",
     Unit::ONE,
     Domain::Angle,
-    "second Cardan angle by which b has turned against a since the start",
+    "second Cardan angle by which b has rotated relative to a since the start",
 );
 pub(crate) const URS3: Quantity = Quantity::scalar(
     r"u_{r3}",
     Unit::ONE,
     Domain::Angle,
-    "third Cardan angle by which b has turned against a since the start",
+    "third Cardan angle by which b has rotated relative to a since the start",
 );
 pub(crate) const TURNED: Outputs =
     &[("UR1", "ur1"), ("UR2", "ur2"), ("UR3", "ur3"), ("URS1", "urs1"), ("URS2", "urs2"), ("URS3", "urs3")];

@@ -8,6 +8,7 @@ use super::{
 use crate::Octuple;
 use crate::connector::join::{self, Joined};
 use crate::connector::revolute::{self, Axes};
+use crate::element::cardan::turns;
 use crate::element::cross::{self, UniversalLoads};
 use crate::element::nodes::proof::poses;
 use crate::element::{Nodes, Parameters};
@@ -35,6 +36,14 @@ impl Proved for Constraint {
         let mut cases = vec![
             Case::hand("in-place", "b at (3, 4, 12) and the axes together: no residual", hand),
             Case::hand("off", "(3, 4, 12) - (1, 1, 1), -0.6 - 0.5, 0", tilted),
+            {
+                let [_, e2b, e3b] = turns::PYTHAGOREAN;
+                let d0 = Vector3::new(2.75, 4.25, 11.5);
+                Case::running(
+                    "(3, 4, 12) - (2.75, 4.25, 11.5), -0.48 + 0.5, 0.6 - 0.55",
+                    Hinged { e2b, e3b, d0, c2: -0.5, c3: 0.55, ..hand },
+                )
+            },
         ];
         let [e1a, e2a, e3a] = hard::triad();
         cases.extend(hard::places().into_iter().map(|place| {
@@ -65,6 +74,7 @@ impl Proved for Stop {
             Case::hand("beyond", "past the upper stop: the gap is negative", StopAngle { alpha: 2.5, ..hand }),
             Case::hand("locked", "both stops at one angle", StopAngle { alpha: 2.0, theta1_min: 2.0, ..hand }),
             Case::hard("after-turns", "a hundred radians on", StopAngle { alpha: 100.0, theta1_max: 100.5, ..hand }),
+            Case::running("1.6435 and 0.3565", StopAngle { alpha: 0.6435, theta1_max: 1.0, ..hand }),
         ]
     }
 
@@ -87,7 +97,7 @@ const HAND: PinLoads<f64> = PinLoads { f1: -4.0, f2: 3.0, f3: 4.0, m2: 5.0, m3: 
 impl Proved for ContactMoment {
     fn cases() -> Vec<Case<PinLoads<f64>>> {
         let mut cases = vec![
-            Case::hand("all", "2 + 2.5 + 3.25", HAND),
+            Case::running("2 + 2.5 + 3.25", HAND),
             Case::limit("no-arm", "R_a = 0 omits the force along the pin: 2.5 + 3.25", PinLoads { ra: 0.0, ..HAND }),
             Case::limit("no-overlap", "L_s = 0 omits bending: 2 + 2.5", PinLoads { ls: 0.0, ..HAND }),
             Case::hard("no-axial-force", "f1 = 0: derivative 0 by convention", PinLoads { f1: 0.0, ..HAND }),
@@ -145,7 +155,7 @@ impl Proved for Friction {
         let PinLoads { f1, f2, f3, m2, m3, rp, ra, ls } = HAND;
         let hand = HingeLoads { m1: -1.5, f1, f2, f3, m2, m3, rp, ra, ls, mc_int: -0.25, mu: 0.25 };
         vec![
-            Case::hand("stick", "M_N = 7.75 + 0.25, Φ = 1.5 - 2: sticks", hand),
+            Case::running("M_N = 7.75 + 0.25, Φ = 1.5 - 2: sticks", hand),
             Case::hand("slip", "P = 2 = μ M_N: Φ = 0", HingeLoads { m1: 2.0, ..hand }),
             Case::hand("frictionless", "μ = 0: Φ = P", HingeLoads { mu: 0.0, ..hand }),
             Case::hand("press-fit", "the press fit alone: M_N = 0.25", {

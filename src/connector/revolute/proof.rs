@@ -19,6 +19,10 @@ impl Proved for Constraint {
             Case::hand("aligned", "the first axes agree: no residual", agree),
             Case::hand("tilted", "b turned about its third axis: e1a·e2b is -0.6", tilted),
             Case::hand("as-at-the-start", "and it was so at the start: no residual", Axes { c2: -0.6, ..tilted }),
+            {
+                let [_, e2b, e3b] = turns::PYTHAGOREAN;
+                Case::running("-0.48 + 0.5, 0.6 - 0.55", Axes { e2b, e3b, c2: -0.5, c3: 0.55, ..agree })
+            },
         ];
         cases.extend(turns::triads().into_iter().map(|pair| {
             let [[e1a, ..], [_, e2b, e3b]] = pair.value;
@@ -53,6 +57,7 @@ impl Proved for Angle {
         let mut cases = vec![
             Case::hand("aligned", "0 where both triads are the same", hand),
             Case::hand("quarter-turn", "b rotated by 90° about e1a", Across { e3b: -Vector3::y(), ..hand }),
+            Case::running("sin α = 0.6", Across { e3b: turns::PYTHAGOREAN[2], ..hand }),
         ];
         cases.extend(turns::triads().into_iter().map(|pair| {
             let [[_, e2a, e3a], [.., e3b]] = pair.value;
@@ -98,6 +103,7 @@ impl Proved for RelativeMotion {
             Case::hand("start", "no rotation at the start", TurnSince { alpha: 0.25, ..hand }),
             Case::hard("many-turns", "a thousand radians on", TurnSince { alpha: 1000.0, ..hand }),
             Case::hard("ulp", "one ulp from the start", TurnSince { alpha: 0.25_f64.next_up(), ..hand }),
+            Case::running("0.6435 - 0.6, 0.6435 - 0.25", TurnSince { alpha: 0.6435, alpha0: 0.6, theta1_ref: 0.25 }),
         ]
     }
     fn laws() -> Vec<Law<Self>> {
@@ -112,7 +118,10 @@ impl Proved for ConstraintMoment {
     fn cases() -> Vec<Case<Tilted<f64>>> {
         let hand = Tilted { e2a: Vector3::y(), e3a: Vector3::z(), m2: 3.0, m3: -4.0 };
         let [_, e2a, e3a] = hard::triad();
-        let mut cases = vec![Case::hand("axes", "along the global axes", hand)];
+        let mut cases = vec![
+            Case::hand("axes", "along the global axes", hand),
+            Case::running("m = (0, 5, -12)", Tilted { m2: 5.0, m3: -12.0, ..hand }),
+        ];
         cases.extend(hard::norms().into_iter().map(|load| {
             let [m2, m3] = load.value;
             Case::hard(format!("moment-{}", load.id), "moments of extreme size", Tilted { e2a, e3a, m2, m3 })
@@ -131,7 +140,10 @@ impl Proved for ConstraintMoment {
 impl Proved for KineticMoment {
     fn cases() -> Vec<Case<Driven<f64>>> {
         let [e1a, ..] = hard::triad();
-        let mut cases = vec![Case::hand("axis", "along the first axis", Driven { e1a: Vector3::x(), m1: 2.0 })];
+        let mut cases = vec![
+            Case::hand("axis", "along the first axis", Driven { e1a: Vector3::x(), m1: 2.0 }),
+            Case::running("m = (-1.5, 0, 0)", Driven { e1a: Vector3::x(), m1: -1.5 }),
+        ];
         cases.extend(hard::norms().into_iter().map(|load| {
             let [m1] = load.value;
             Case::hard(format!("moment-{}", load.id), "a moment of extreme size", Driven { e1a, m1 })

@@ -63,7 +63,7 @@ impl AcrossLine for Basis {
 impl Formula for Basis {
     const SPEC: Spec = Spec::new(
         "slider.basis",
-        "Directions across the line",
+        "Directions normal to the line",
         Document::SLIDER.reconstructed(
             "",
             "every symbol was lost; the words: a unit normal to the line, unless it vanishes, and the orthogonal normal",
@@ -205,7 +205,7 @@ impl AcrossLine for BasisVariation {
 impl Formula for BasisVariation {
     const SPEC: Spec = Spec::new(
         "slider.basis_variation",
-        "Variation of the directions across",
+        "Variation of the directions normal to the line",
         Document::SLIDER.reconstructed(
             "",
             "every symbol was lost; the words: the changes of both normals in the derivatives of the constraints",

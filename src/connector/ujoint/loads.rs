@@ -56,7 +56,7 @@ pub struct CrossDirection;
 
 impl Formula for CrossDirection {
     const SPEC: Spec =
-        Spec::new("ujoint.cross_direction", "Direction across the cross", Document::UJOINT.printed("Friction"))
+        Spec::new("ujoint.cross_direction", "Direction normal to the cross", Document::UJOINT.printed("Friction"))
             .equation(r"\mathbf{e}_{\mathrm{cross}} = \mathbf{e}_{1a}\times\mathbf{e}_{3b}")
             .eta(1.0, 0.0)
             .scale(1e250)

@@ -3,9 +3,6 @@
 
 use nalgebra::Vector3;
 
-/// The case of this state, in every formula of the chain.
-pub(crate) const RUNNING: &str = "running";
-
 /// The third axis of b.
 pub(crate) const E3B: Vector3<f64> = Vector3::new(0.0, -0.6, 0.8);
 /// The components of the force.

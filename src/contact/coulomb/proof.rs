@@ -21,6 +21,7 @@ impl Proved for Yield {
             ),
             Case::hard("tiny", "forces of 1e-200", Tractions { p: 1e-200, mu: 0.3, r#fn: 7e-200 }),
             Case::hard("huge", "forces of 1e200", Tractions { p: 1e200, mu: 0.3, r#fn: 7e200 }),
+            Case::running("6.25 - 0.5 × 4 cannot be transmitted", Tractions { p: 6.25, mu: 0.5, r#fn: 4.0 }),
         ]
     }
 
@@ -58,6 +59,7 @@ impl Proved for ReturnMap {
             Case::hard("nothing", "all zero", Trial { f_trial: 0.0, mu: 0.0, r#fn: 0.0 }),
             Case::hard("tiny", "forces of 1e-200", Trial { f_trial: 1e-200, mu: 0.3, r#fn: 7e-200 }),
             Case::hard("huge", "forces of 1e200", Trial { f_trial: -1e200, mu: 0.3, r#fn: 2e200 }),
+            Case::running("6.25 > 0.5 × 4: 2 is transmitted", Trial { f_trial: 6.25, ..hand }),
         ]
     }
 

@@ -11,7 +11,7 @@ impl Proved for PressureLinear {
     fn cases() -> Vec<Case<LinearContact<f64>>> {
         let hand = LinearContact { h: 0.5, k: 8.0 };
         vec![
-            Case::hand("closed", "8 × 0.5", hand),
+            Case::running("8 × 0.5", hand),
             Case::hand("open", "no tension", LinearContact { h: -0.5, ..hand }),
             Case::hand("touching", "h = 0: no pressure yet", LinearContact { h: 0.0, ..hand }),
             Case::hard("just-closed", "the least overclosure", LinearContact { h: 1e-200, ..hand }),
@@ -70,6 +70,7 @@ impl Proved for PressureExponential {
             ),
             Case::hard("wide", "c0 = 1e12", ExponentialContact { h: -0.25, c0: 1e12, p0: 1.0 }),
             Case::hard("tiny", "lengths of 1e-200", ExponentialContact { h: 1e-200, c0: 3e-200, p0: 1e-50 }),
+            Case::running("s = 2: 0.5 × 2 (e² - 1)/(e - 1) = e + 1", ExponentialContact { h: 0.5, c0: 0.5, p0: 0.5 }),
         ]
     }
 
@@ -132,6 +133,10 @@ impl Proved for Damping {
             ),
             Case::hard("tiny", "lengths of 1e-200", DampingContact { h: -2e-200, c0: 4e-200, ..hand }),
             Case::hard("huge", "lengths of 1e200", DampingContact { h: -2e200, c0: 4e200, ..hand }),
+            Case::running(
+                "clearance 0.25: (0.5 - 0.25)/(0.5 - 0.1) of 4 × 2",
+                DampingContact { h: -0.25, v: 2.0, mu0: 4.0, c0: 0.5, eta: 0.2 },
+            ),
         ]
     }
 

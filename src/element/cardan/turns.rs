@@ -11,6 +11,10 @@ use nalgebra::Vector3;
 /// The triads of node a and node b.
 pub type TriadPair = [[Vector3<f64>; 3]; 2];
 
+/// A triad whose three Cardan angles have the sine 0.6, relative to the global axes: every component has few digits.
+pub const PYTHAGOREAN: [Vector3<f64>; 3] =
+    [Vector3::new(0.64, 0.768, -0.024), Vector3::new(-0.48, 0.424, 0.768), Vector3::new(0.6, -0.48, 0.64)];
+
 /// Triads at angles where naive code loses value or derivative; all Cardan angles are defined.
 pub fn triads() -> Vec<Hard<TriadPair>> {
     let quarter = Octuple::PI / 2.0;

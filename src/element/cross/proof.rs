@@ -54,7 +54,7 @@ impl Proved for Rows {
 
     fn laws() -> Vec<Law<Self>> {
         vec![
-            Law::<Self>::new("it is the derivative of the residual by the spins", |i| {
+            Law::<Self>::new("it is the derivative of the residual with respect to the spins", |i| {
                 let (row, found) = (Self::eval(i).row(), derivative(|motion| residual(i, motion)));
                 let size = law::length(i.e1a) * law::length(i.e3b);
                 let pairs = |left: Vector3<Octuple>, right: Vector3<Octuple>| {
@@ -138,7 +138,7 @@ impl Proved for GeometricStiffness {
 
     fn laws() -> Vec<Law<Self>> {
         vec![
-            Law::<Self>::new("it is the derivative of the nodal forces by translations and spins", |i| {
+            Law::<Self>::new("it is the derivative of the nodal forces with respect to translations and spins", |i| {
                 tangent(i).derives(|motion| moving(i, motion))
             }),
             Law::<Self>::new("it is symmetric but for each node's own spin, where K − Kᵀ = −[m×]", |i| {

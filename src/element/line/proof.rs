@@ -74,7 +74,7 @@ impl Proved for Rows {
 
     fn laws() -> Vec<Law<Self>> {
         vec![
-            Law::<Self>::new("they are the derivatives of the residuals by translations and spins", |i| {
+            Law::<Self>::new("they are the derivatives of the residuals with respect to translations and spins", |i| {
                 let rows = Self::eval(i).rows();
                 let of = |k: usize| derivative(|motion| residuals(i, motion)[k]);
                 (0..3).flat_map(|k| equal_motions(&rows[k], &of(k))).collect()
@@ -176,7 +176,7 @@ impl Proved for GeometricStiffness {
 
     fn laws() -> Vec<Law<Self>> {
         vec![
-            Law::<Self>::new("it is the derivative of the nodal forces by translations and spins", |i| {
+            Law::<Self>::new("it is the derivative of the nodal forces with respect to translations and spins", |i| {
                 tangent(i).derives(|motion| moving(i, motion))
             }),
             Law::<Self>::new("it is symmetric but for each node's own spin, where K − Kᵀ = −[m×]", |i| {

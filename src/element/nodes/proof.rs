@@ -24,7 +24,7 @@ pub(crate) fn poses() -> [Hard<Nodes<f64>>; 8] {
             "both nodes away from the axes, with components of few digits",
             Nodes::new([a, b], [Vector3::new(1.0, 2.0, 3.0), Vector3::new(2.5, 2.25, 4.0)]),
         ),
-        Hard::new("coincident", "both nodes at one place", Nodes::new([other, turn(8.0, 1.0, -2.0, 3.0)], [near; 2])),
+        Hard::new("coincident", "both nodes coincide", Nodes::new([other, turn(8.0, 1.0, -2.0, 3.0)], [near; 2])),
         Hard::new(
             "offset-1e8",
             "far from the origin: the difference must be taken before any product",

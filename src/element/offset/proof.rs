@@ -42,20 +42,23 @@ impl Proved for Arm {
                 let moment = Self::eval(i).m_node;
                 law::equal_all_with(axes.into_iter().map(|axis| (moment.dot(&axis), work(axis))), size)
             }),
-            Law::<Self>::new("K is the derivative of the moment by the spin, the force and the moment m held", |i| {
-                let rows: Vec<_> = (0..3)
-                    .map(|k| {
-                        derivative(|motion: &Motion| {
-                            let r = motion.of_a(i.r);
-                            Self::eval(&ArmLoads { r, f: i.f.map(still), m: i.m.map(still) }).m_node[k]
+            Law::<Self>::new(
+                "K is the derivative of the moment with respect to the spin, the force and the moment m held",
+                |i| {
+                    let rows: Vec<_> = (0..3)
+                        .map(|k| {
+                            derivative(|motion: &Motion| {
+                                let r = motion.of_a(i.r);
+                                Self::eval(&ArmLoads { r, f: i.f.map(still), m: i.m.map(still) }).m_node[k]
+                            })
                         })
-                    })
-                    .collect();
-                let found = Matrix3::from_fn(|row, column| rows[row].ta[column]);
-                let ArmActions { k_arm, .. } = Self::eval(i);
-                let size = law::length(i.f) * law::length(i.r);
-                law::equal_all_with(k_arm.iter().copied().zip(found.iter().copied()), size)
-            }),
+                        .collect();
+                    let found = Matrix3::from_fn(|row, column| rows[row].ta[column]);
+                    let ArmActions { k_arm, .. } = Self::eval(i);
+                    let size = law::length(i.f) * law::length(i.r);
+                    law::equal_all_with(k_arm.iter().copied().zip(found.iter().copied()), size)
+                },
+            ),
             Law::<Self>::new("K − Kᵀ is −[(r × f)×]", |i| {
                 let ArmActions { k_arm, .. } = Self::eval(i);
                 let expected = -crate::element::products::skew(&i.r.cross(&i.f));

@@ -157,8 +157,8 @@ impl Error {
             }
             Self::Node { node, fault, allowed } => Message::are(format!("node {} {fault}", name_of(*node)), *allowed),
             Self::CoincidentNodes { first, second } => Message::are(
-                format!("nodes {} and {} are at one place", name_of(*first), name_of(*second)),
-                "different places",
+                format!("nodes {} and {} coincide", name_of(*first), name_of(*second)),
+                "different positions",
             ),
             Self::NodeCount { count, allowed } => Message::is(format!("{count} nodes are given"), *allowed),
             Self::Increment { first, last, increment } => Message::is(

@@ -37,6 +37,9 @@ impl Flag {
     }
 }
 
+/// The identifier of the case that belongs to the state which a chapter follows.
+pub const RUNNING: &str = "running";
+
 /// A named case.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Case<I> {
@@ -54,6 +57,10 @@ impl<I> Case<I> {
     /// A case worked by hand.
     pub fn hand(id: impl Into<String>, comment: &'static str, inputs: I) -> Self {
         Self::new(Flag::Hand, id, comment, inputs)
+    }
+    /// The case of the one state that a chapter follows from formula to formula, with numbers of few digits.
+    pub fn running(comment: &'static str, inputs: I) -> Self {
+        Self::hand(RUNNING, comment, inputs)
     }
     /// A limit that the document prints.
     pub fn limit(id: impl Into<String>, comment: &'static str, inputs: I) -> Self {

@@ -33,7 +33,7 @@ pub fn places<const N: usize>() -> Vec<Hard<[SVector<f64, N>; 2]>> {
         Hard::new("offset-1e12", cancels, near(1e12, 1.0)),
         Hard::new("distance-1e-12", "nodes that nearly coincide", near(0.0, 1e-12)),
         Hard::new("distance-1e12", "nodes far apart", near(0.0, 1e12)),
-        Hard::new("coincident", "both nodes at one place", near(0.5, 0.0)),
+        Hard::new("coincident", "both nodes coincide", near(0.5, 0.0)),
     ]
 }
 

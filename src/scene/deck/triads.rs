@@ -38,7 +38,7 @@ impl Triads {
         if before != triad {
             let [before, triad] = [before, triad].map(|triad| &self.list[triad].name);
             let found = format!("orientation {triad:?} at a node that has {before:?}");
-            log.fault(place, found, "one orientation for each node; two nodes at one place may have two");
+            log.fault(place, found, "one orientation for each node; two coincident nodes may have two");
         }
     }
 

@@ -158,10 +158,15 @@ impl<'s> ContactPlan<'s> {
             }
         }
         of_elements.sort_unstable_keys();
-        let line = |formula, elements, why| PlanLine { formula, kind: "slide line", elements, once: false, why };
-        let of_nodes = stages.into_iter().map(|((stage, formula), nodes)| line(formula, nodes, why(stage)));
+        let line = |kind, formula, elements, why| PlanLine { formula, kind, elements, once: false, why };
+        let of_nodes =
+            stages.into_iter().map(|((stage, formula), nodes)| line("slave node", formula, nodes, why(stage)));
         of_nodes
-            .chain(of_elements.into_iter().map(|((formula, why), elements)| line(formula, elements, why.into())))
+            .chain(
+                of_elements
+                    .into_iter()
+                    .map(|((formula, why), elements)| line("element", formula, elements, why.into())),
+            )
             .collect()
     }
 }
@@ -191,7 +196,7 @@ impl WantedElement {
 
 fn why(stage: Stage) -> String {
     match stage {
-        Stage::Search => "the place of every node, among the near segments only".into(),
+        Stage::Search => "the closest point of every node, on the near segments only".into(),
         Stage::Slip => format!("output E12, trial of {}", ReturnMap::SPEC.id),
         Stage::Law | Stage::Damping => "outputs S11, S12 and T".into(),
         Stage::Friction => "output S12".into(),

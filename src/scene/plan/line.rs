@@ -7,9 +7,9 @@ use std::fmt;
 pub struct PlanLine {
     /// The identifier of the formula.
     pub formula: &'static str,
-    /// The kind of the elements.
+    /// What it is evaluated for: a kind of element, or slave nodes.
     pub kind: &'static str,
-    /// The number of elements for which it is evaluated.
+    /// The number of these.
     pub elements: usize,
     /// Whether it is evaluated once, in the initial configuration, or in every state.
     pub once: bool,

@@ -99,7 +99,10 @@ impl Claims {
     fn new(element: &ElementSubject) -> Self {
         let (bounds, by) = element.spec.bounds();
         Self {
-            rows: Claim::new("rows = derivative of the residuals by the degrees of freedom, in 237 bits", EXACT),
+            rows: Claim::new(
+                "rows = derivative of the residuals with respect to the degrees of freedom, in 237 bits",
+                EXACT,
+            ),
             forces: Claim::new(
                 if element.layout.held() > 0 {
                     "forces = rowsᵀ λ, and friction against its motions, in 237 bits"
@@ -109,7 +112,7 @@ impl Claims {
                 EXACT,
             ),
             stiffness: Claim::new(
-                "matrix = derivative of the forces by degrees of freedom and multipliers, in 237 bits",
+                "matrix = derivative of the forces with respect to degrees of freedom and multipliers, in 237 bits",
                 EXACT,
             ),
             differences: Claim::new("automatic differentiation = differences, in 237 bits", DIFFERENCES),

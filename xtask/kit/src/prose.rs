@@ -193,6 +193,7 @@ fn body(project: &Project, test: &str) -> Result<String, String> {
     let mut texts = Vec::new();
     collect(&project.root().join("tests"), file, &mut texts);
     collect(&project.root().join("src"), file, &mut texts);
+    collect(&project.root().join("xtask"), file, &mut texts);
     let is_constant = name.chars().all(|c| c.is_ascii_uppercase() || c == '_');
     let (head, end) = if is_constant { (format!("const {name}:"), ";") } else { (format!("fn {name}("), "\n}") };
     let body = texts.iter().find_map(|text| Some(text.split_once(&head)?.1.split(end).next().unwrap_or_default()));

@@ -174,7 +174,7 @@ pub(crate) fn reasons(project: &Project, formula: &dyn AnyFormula) -> Vec<String
     let is_closed = formula.spec().is_closed();
     let parts = stated(project, formula).into_iter().flat_map(|both| ["value", "Jacobian"].into_iter().zip(both));
     let open = parts.filter(|(of, summary)| !summary.is_whole() && (*of == "value" || is_closed));
-    open.map(|(of, summary)| format!("not proved of the {of}: {}", summary.why)).collect()
+    open.map(|(of, summary)| format!("no proof for the {of}: {}", summary.why)).collect()
 }
 
 fn digest(formula: &dyn AnyFormula, graph: &Graph) -> String {

@@ -36,8 +36,8 @@ pub(super) fn all() -> Vec<Piece> {
         piece::<LimitSign>(
             [
                 "GEOS, [pull request 3439](https://github.com/GEOS-DEV/GEOS/pull/3439)",
-                "Coulomb friction: the derivative of the limit by the normal traction had the wrong sign. One caller corrected the sign, another did not.",
-                "the derivative of the friction force by the normal force has the wrong sign.",
+                "Coulomb friction: the derivative of the limit with respect to the normal traction had the wrong sign. One caller corrected the sign, another did not.",
+                "the derivative of the friction force with respect to the normal force has the wrong sign.",
             ],
             CLOSED,
         ),
@@ -69,7 +69,7 @@ pub(super) fn all() -> Vec<Piece> {
             [
                 "goma, [pull request 188](https://github.com/goma/goma/pull/188)",
                 "A minus sign was missing; all 106 tests passed before and after the correction.",
-                "the derivative of the rotation by its initial value has the wrong sign.",
+                "the derivative of the rotation with respect to its initial value has the wrong sign.",
             ],
             CLOSED,
         ),

@@ -152,7 +152,7 @@ const FIGURES: &[Figure] = &[
         of: &["telescope"],
         over: None,
         description: "The friction force of the telescope over time: it grows while the contact sticks, stays at the limit \
-            while it slips, grows with the load, and turns its sign when the telescope is pushed back.",
+            while it slips, grows with the load, and changes its sign when the telescope is pushed back.",
     },
     Figure {
         scene: "telescope",

@@ -30,7 +30,7 @@ pub(crate) fn facts(project: &Project) -> anyhow::Result<Vec<Fact>> {
     let fact = |id: &str| {
         let mut lines = of_formula(&documents, &world, id);
         if lines.is_empty() {
-            lines.push("none: no document says it".into());
+            lines.push("none: no document states it".into());
         }
         Fact { formula: id.into(), name: "Statements".into(), lines }
     };

@@ -190,7 +190,11 @@ mod tests {
                 "$1.5\\cdot10^{5}$"
             ]
         );
-        assert_eq!([apart(0.0, 0.0), apart(1.0, -1.0), apart(2.0, 1.0)], [0.0, 2.0, 0.5]);
+        assert_eq!(
+            [apart(0.0, 0.0), apart(1.0, -1.0), apart(2.0, 1.0)],
+            [0.0, 2.0, 0.5],
+            "the difference of the two sides of the law, divided by the larger of them, so 0 if it holds and 2 if they are opposite"
+        );
         assert_eq!([apart(-2.0, 1.0), apart(1.0, -2.0), apart(1.0, 2.0), apart(-0.5, -0.25)], [1.5, 1.5, 0.5, 0.5]);
     }
 

@@ -77,7 +77,7 @@ enum Rule {
     Lengths,
     /// Every file of tests belongs to a program
     Tests,
-    /// Chapters are in the words of the field
+    /// Chapters and printed strings are in the words of the field
     Language,
 }
 
@@ -137,7 +137,7 @@ fn check(root: &Path, formulas: &[&str], rules: &[Rule]) -> anyhow::Result<Tidin
         (Rule::Directives, kit::uncovered(root, formulas)?.into_iter().map(Finding::from).collect()),
         (Rule::Lengths, too_long),
         (Rule::Tests, programs::forgotten(root, &tree)?),
-        (Rule::Language, language::foreign(root)?),
+        (Rule::Language, language::foreign(root, &tree)?),
     ];
     let wanted = found.into_iter().filter(|(rule, _)| rules.is_empty() || rules.contains(rule));
     findings.extend(wanted.flat_map(|(_, found)| found));

@@ -23,6 +23,10 @@ impl Proved for Constraint {
                 "both triads agree, which they did not at the start",
                 Orientations { alpha0: 0.5, beta0: -0.25, gamma0: 3.0, ..aligned },
             ),
+            Case::running(
+                "0.6435 - 0.6, 0.6435 - 0.7, 0.6435 - 0.5",
+                Orientations::new(&Triads::new(a, turns::PYTHAGOREAN), &Angles { alpha: 0.6, beta: 0.7, gamma: 0.5 }),
+            ),
         ];
         let [a, b] = turns::axes([1, -2, -3]);
         cases.push(Case::hard(
@@ -88,7 +92,10 @@ impl Proved for ConstraintMoment {
         let [[x, y, z], _] = turns::axes([1, 2, 3]);
         let axes = Moments { e1a: x, e2a: y, e3a: z, m1: 2.0, m2: -3.0, m3: 6.0 };
         let [e1a, e2a, e3a] = hard::triad();
-        let mut cases = vec![Case::hand("axes", "m = (2, -3, 6)", axes)];
+        let mut cases = vec![
+            Case::hand("axes", "m = (2, -3, 6)", axes),
+            Case::running("m = (-6, 5, -12)", Moments { m1: -6.0, m2: 5.0, m3: -12.0, ..axes }),
+        ];
         cases.extend(hard::norms().into_iter().map(|load| {
             let [m1, m2, m3] = load.value;
             Case::hard(load.id, "moments of extreme size", Moments { e1a, e2a, e3a, m1, m2, m3 })

@@ -27,6 +27,7 @@ impl Proved for Constraint {
                 "the whole distance is the residual where the nodes coincided",
                 Joined::of(axes, Vector3::zeros()),
             ),
+            Case::running("(3, 4, 12) - (2.75, 4.25, 11.5)", Joined::of(axes, Vector3::new(2.75, 4.25, 11.5))),
         ];
         cases.extend(hard::places().into_iter().map(|place| {
             let [xa, xb] = place.value;

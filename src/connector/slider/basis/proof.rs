@@ -3,6 +3,7 @@
 use super::{Basis, BasisVariation, LineDirection, TangentChanges, Tangents, TurningDirection};
 use crate::connector::slider::across::Across;
 use crate::connector::slider::hard::lines;
+use crate::connector::slider::running::{DN, N};
 use crate::connector::slider::{Ends, Line};
 use crate::formula::Formula;
 use crate::formula::proof::{Case, Kink, Law, Proved, law};
@@ -22,6 +23,7 @@ impl Proved for Basis {
             Case::hand("minus-i", "n = -i: t1 = (0, 1, 0), t2 = (0, 0, -1)", LineDirection { n: -Vector3::x() }),
             Case::hard("tiny", "squares underflow", LineDirection { n: Vector3::new(3e-200, -4e-200, 12e-200) }),
             Case::hard("huge", "squares overflow", LineDirection { n: Vector3::new(3e200, -4e200, 12e200) }),
+            Case::running("(0, 0.64, -0.48)/0.8, and n × t1", LineDirection { n: N }),
         ];
         cases.extend(directions().map(|(id, comment, n)| Case::hard(id, comment, LineDirection { n })));
         cases
@@ -72,6 +74,7 @@ impl Proved for BasisVariation {
                     dn: Vector3::new(1e-200, 2e-200, -3e-200),
                 },
             ),
+            Case::running("dt1 = -0.125 (0, 0.6, 0.8)", TurningDirection { n: N, dn: DN }),
         ];
         let dn = Vector3::new(0.25, 0.5, 0.625);
         cases.extend(directions().map(|(id, comment, n)| Case::hard(id, comment, TurningDirection { n, dn })));
@@ -104,7 +107,7 @@ impl Proved for BasisVariation {
                 let second = dt2.iter().zip(&jac.t2).map(|(&dt, &row)| (dt, along(row)));
                 law::equal_all_with(first.chain(second), spin * law::length(i.n))
             }),
-            Law::<Self>::new("the directions stay across the line: n·dt_q + dn·t_q = 0", |i| {
+            Law::<Self>::new("the directions remain normal to the line: n·dt_q + dn·t_q = 0", |i| {
                 let Tangents { t1, t2 } = Basis::eval(&LineDirection { n: i.n });
                 let TangentChanges { dt1, dt2 } = Self::eval(i);
                 let pairs = [(i.n.dot(&dt1), -i.dn.dot(&t1)), (i.n.dot(&dt2), -i.dn.dot(&t2))];

@@ -2,6 +2,7 @@
 
 use super::{Constraint, Distances, IncrementalConstraint, IncrementalResiduals, MovingNodes, Nodes};
 use crate::connector::slider::hard::{lines, scenes};
+use crate::connector::slider::running::{BESIDE, DX1, DXM, DXN, X1, XM, XN};
 use crate::formula::Formula;
 use crate::formula::proof::{Case, Kink, Law, Proved, law};
 use crate::number::scalar::abs;
@@ -15,6 +16,10 @@ impl Proved for Constraint {
             Case::hand("off-the-line", "t1 = (0, 0.8, -0.6), t2 = (-1, 0, 0): g1 = 3.2 - 1.8, g2 = -2", hand),
             Case::hand("at-node-1", "both residuals vanish", Nodes { xm: hand.x1, ..hand }),
             Case::hand("at-node-n", "both residuals vanish", Nodes { xm: hand.xn, ..hand }),
+            Case::running(
+                "t1·(8, 7, 8) = 5.6 - 4.8, t2·(8, 7, 8) = -6.4 + 2.52 + 3.84",
+                Nodes { x1: X1, xn: XN, xm: BESIDE },
+            ),
         ];
         cases.extend(
             scenes(lines())
@@ -26,7 +31,7 @@ impl Proved for Constraint {
 
     fn invalid_cases() -> Vec<Case<Nodes<f64>>> {
         let x1 = Vector3::new(1.0, 2.0, 3.0);
-        vec![Case::invalid("coincident", "nodes 1 and n at one place", Nodes { x1, xn: x1, xm: Vector3::zeros() })]
+        vec![Case::invalid("coincident", "nodes 1 and n coincide", Nodes { x1, xn: x1, xm: Vector3::zeros() })]
     }
 
     fn kinks() -> Vec<Kink<Self>> {
@@ -81,6 +86,10 @@ impl Proved for IncrementalConstraint {
                 "m moves along the line",
                 MovingNodes { dxn: Vector3::zeros(), dxm: Vector3::new(0.0, 3.0, 4.0), ..hand },
             ),
+            Case::running(
+                "w = (1, 2, 3): t1·(1, 1, 0.8) = 0.32, t2·(1, 1, 0.8) = -0.056",
+                MovingNodes { x1: X1, xn: XN, xm: XM, dx1: DX1, dxn: DXN, dxm: DXM },
+            ),
         ];
         cases.extend(scenes(lines()).into_iter().map(|(id, line, xm)| {
             let [dx1, dxn] = line.motion();
@@ -93,7 +102,7 @@ impl Proved for IncrementalConstraint {
     fn invalid_cases() -> Vec<Case<MovingNodes<f64>>> {
         let (x1, zero) = (Vector3::new(1.0, 2.0, 3.0), Vector3::zeros());
         let inputs = MovingNodes { x1, xn: x1, xm: zero, dx1: zero, dxn: zero, dxm: zero };
-        vec![Case::invalid("coincident", "nodes 1 and n at one place", inputs)]
+        vec![Case::invalid("coincident", "nodes 1 and n coincide", inputs)]
     }
 
     fn kinks() -> Vec<Kink<Self>> {

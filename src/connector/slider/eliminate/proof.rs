@@ -3,6 +3,7 @@
 use super::{Coordinates, Eliminate, Increment, Increments, KeptCoordinate, KeptIncrement};
 use crate::Octuple;
 use crate::connector::slider::hard::{changes_of_pivots, lines, scenes};
+use crate::connector::slider::running::{DX1, DXM, DXN, X1, XM, XN};
 use crate::connector::slider::{IncrementalConstraint, MovingNodes, Pivots, documented};
 use crate::formula::proof::{Case, Kink, Law, Method, Proved, law};
 use crate::formula::{Fields, Formula};
@@ -15,6 +16,10 @@ impl Proved for Eliminate {
             Case::hand("twice", "k = 3, i = 2, j = 1: m is twice as far as n, xm2 = 2, xm1 = 4", hand),
             Case::hand("at-node-1", "m at node 1", KeptCoordinate { xmk: 0.0, ..hand }),
             Case::hand("at-node-n", "m at node n", KeptCoordinate { xmk: 4.0, ..hand }),
+            Case::running(
+                "k = 3, i = 2, j = 1: 1 + 0.75 × 8, 1 + 0.9375 × 8",
+                KeptCoordinate { x1: X1, xn: XN, xmk: XM.z },
+            ),
         ];
         cases.extend(scenes(lines()).into_iter().map(|(id, line, xm)| {
             let xmk = xm[Pivots::new(&line.x1, &line.xn).k];
@@ -34,7 +39,7 @@ impl Proved for Eliminate {
 
     fn invalid_cases() -> Vec<Case<KeptCoordinate<f64>>> {
         let x1 = Vector3::new(1.0, 2.0, 3.0);
-        vec![Case::invalid("coincident", "nodes 1 and n at one place", KeptCoordinate { x1, xn: x1, xmk: 1.0 })]
+        vec![Case::invalid("coincident", "nodes 1 and n coincide", KeptCoordinate { x1, xn: x1, xmk: 1.0 })]
     }
 
     fn kinks() -> Vec<Kink<Self>> {
@@ -90,6 +95,10 @@ impl Proved for Increment {
                 "all nodes move alike",
                 KeptIncrement { dx1: same, dxn: same, dxmk: 3.0, ..hand },
             ),
+            Case::running(
+                "2 + 0.75 × 0.8, 1 + 0.9375 × 0.8",
+                KeptIncrement { x1: X1, xn: XN, xm: XM, dx1: DX1, dxn: DXN, dxmk: DXM.z },
+            ),
         ];
         cases.extend(scenes(lines()).into_iter().map(|(id, line, xm)| {
             let [dx1, dxn] = line.motion();
@@ -111,7 +120,7 @@ impl Proved for Increment {
     fn invalid_cases() -> Vec<Case<KeptIncrement<f64>>> {
         let (x1, zero) = (Vector3::new(1.0, 2.0, 3.0), Vector3::zeros());
         let inputs = KeptIncrement { x1, xn: x1, xm: zero, dx1: zero, dxn: zero, dxmk: 0.0 };
-        vec![Case::invalid("coincident", "nodes 1 and n at one place", inputs)]
+        vec![Case::invalid("coincident", "nodes 1 and n coincide", inputs)]
     }
 
     fn kinks() -> Vec<Kink<Self>> {

@@ -2,6 +2,7 @@
 
 use super::{Direction, DirectionChange, DirectionVariation, Ends, Line, MovingEnds};
 use crate::connector::slider::hard::lines;
+use crate::connector::slider::running::{DX1, DXN, X1, XN};
 use crate::formula::Formula;
 use crate::formula::proof::{Case, Law, Proved, law};
 use nalgebra::Vector3;
@@ -12,6 +13,7 @@ impl Proved for Line {
         let mut cases = vec![
             Case::hand("pythagoras", "d = (2, 3, 6): l = 7", hand),
             Case::hand("reversed", "n changes sign, l does not", Ends { x1: hand.xn, xn: hand.x1 }),
+            Case::running("d = (15, 12, 16): l = 25", Ends { x1: X1, xn: XN }),
         ];
         cases.extend(
             lines().into_iter().map(|line| Case::hard(line.id, line.comment, Ends { x1: line.x1, xn: line.xn })),
@@ -21,7 +23,7 @@ impl Proved for Line {
 
     fn invalid_cases() -> Vec<Case<Ends<f64>>> {
         let x1 = Vector3::new(1.0, 2.0, 3.0);
-        vec![Case::invalid("coincident", "both nodes at one place", Ends { x1, xn: x1 })]
+        vec![Case::invalid("coincident", "both nodes coincide", Ends { x1, xn: x1 })]
     }
 
     fn laws() -> Vec<Law<Self>> {
@@ -59,6 +61,7 @@ impl Proved for DirectionVariation {
                 "moving n along the line only stretches it: dn is what is left of a cancellation",
                 MovingEnds { xn: Vector3::new(0.1, 0.2, 0.3), dxn: Vector3::new(1e-3, 2e-3, 3e-3), ..hand },
             ),
+            Case::running("(1, 5.3, 2.9) = 5 n + 25 dn", MovingEnds { x1: X1, xn: XN, dx1: DX1, dxn: DXN }),
         ];
         cases.extend(lines().into_iter().map(|line| {
             let [dx1, dxn] = line.motion();
@@ -70,7 +73,7 @@ impl Proved for DirectionVariation {
     fn invalid_cases() -> Vec<Case<MovingEnds<f64>>> {
         let x1 = Vector3::new(1.0, 2.0, 3.0);
         let inputs = MovingEnds { x1, xn: x1, dx1: Vector3::x(), dxn: Vector3::y() };
-        vec![Case::invalid("coincident", "both nodes at one place", inputs)]
+        vec![Case::invalid("coincident", "both nodes coincide", inputs)]
     }
 
     fn laws() -> Vec<Law<Self>> {

@@ -6,6 +6,10 @@ use super::{
 };
 use crate::Octuple;
 use crate::connector::slider::hard::{change_of_pivot, plane_lines, scenes};
+use crate::connector::slider::running::{
+    PLANE_BESIDE as BESIDE, PLANE_DX1 as DX1, PLANE_DXM as DXM, PLANE_DXN as DXN, PLANE_X1 as X1, PLANE_XM as XM,
+    PLANE_XN as XN,
+};
 use crate::connector::slider::{Constraint, Increment, IncrementalConstraint, KeptIncrement, MovingNodes, Nodes};
 use crate::connector::slider::{Pivots, Pivots2d};
 use crate::formula::proof::{Case, Equation, Kink, Law, Proved, law};
@@ -20,6 +24,7 @@ impl Proved for Constraint2d {
             Case::hand("left", "t = (-0.8, 0.6): g = -0.8 + 1.8", hand),
             Case::hand("right", "the same on the other side", Nodes2d { xm: Vector2::new(2.0, 0.0), ..hand }),
             Case::hand("at-node-n", "on the line", Nodes2d { xm: hand.xn, ..hand }),
+            Case::running("t = (-0.8, 0.6): g = -0.8 + 1.8", Nodes2d { x1: X1, xn: XN, xm: BESIDE }),
         ];
         cases.extend(
             scenes(plane_lines())
@@ -31,7 +36,7 @@ impl Proved for Constraint2d {
 
     fn invalid_cases() -> Vec<Case<Nodes2d<f64>>> {
         let x1 = Vector2::new(1.0, 2.0);
-        vec![Case::invalid("coincident", "nodes 1 and n at one place", Nodes2d { x1, xn: x1, xm: Vector2::zeros() })]
+        vec![Case::invalid("coincident", "nodes 1 and n coincide", Nodes2d { x1, xn: x1, xm: Vector2::zeros() })]
     }
 
     fn laws() -> Vec<Law<Self>> {
@@ -65,6 +70,10 @@ impl Proved for IncrementalConstraint2d {
                 "m moves along the resting line",
                 MovingNodes2d { dxn: Vector2::zeros(), dxm: Vector2::new(4.0, 3.0), ..hand },
             ),
+            Case::running(
+                "w = (2.5, 1): t·(0.5, 0.8) = -0.4 + 0.48",
+                MovingNodes2d { x1: X1, xn: XN, xm: XM, dx1: DX1, dxn: DXN, dxm: DXM },
+            ),
         ];
         cases.extend(scenes(plane_lines()).into_iter().map(|(id, line, xm)| {
             let [dx1, dxn] = line.motion();
@@ -77,7 +86,7 @@ impl Proved for IncrementalConstraint2d {
     fn invalid_cases() -> Vec<Case<MovingNodes2d<f64>>> {
         let (x1, zero) = (Vector2::new(1.0, 2.0), Vector2::zeros());
         let inputs = MovingNodes2d { x1, xn: x1, xm: zero, dx1: zero, dxn: zero, dxm: zero };
-        vec![Case::invalid("coincident", "nodes 1 and n at one place", inputs)]
+        vec![Case::invalid("coincident", "nodes 1 and n coincide", inputs)]
     }
 
     fn laws() -> Vec<Law<Self>> {
@@ -129,6 +138,7 @@ impl Proved for Eliminate2d {
             Case::hand("twice", "k = 1, i = 2: m is twice as far as n, xm2 = 4", hand),
             Case::hand("at-node-1", "m at node 1", KeptCoordinate2d { xmk: 0.0, ..hand }),
             Case::hand("at-node-n", "m at node n", KeptCoordinate2d { xmk: 4.0, ..hand }),
+            Case::running("k = 2, i = 1: 1 + 0.75 × 3", KeptCoordinate2d { x1: X1, xn: XN, xmk: XM.y }),
         ];
         cases.extend(scenes(plane_lines()).into_iter().map(|(id, line, xm)| {
             let xmk = xm[Pivots2d::new(&line.x1, &line.xn).k];
@@ -139,7 +149,7 @@ impl Proved for Eliminate2d {
 
     fn invalid_cases() -> Vec<Case<KeptCoordinate2d<f64>>> {
         let x1 = Vector2::new(1.0, 2.0);
-        vec![Case::invalid("coincident", "nodes 1 and n at one place", KeptCoordinate2d { x1, xn: x1, xmk: 1.0 })]
+        vec![Case::invalid("coincident", "nodes 1 and n coincide", KeptCoordinate2d { x1, xn: x1, xmk: 1.0 })]
     }
 
     fn kinks() -> Vec<Kink<Self>> {
@@ -184,6 +194,10 @@ impl Proved for Increment2d {
                 "m moves along the resting line: dxm2 = 2/4 × 3",
                 KeptIncrement2d { dxn: Vector2::zeros(), dxmk: 3.0, ..hand },
             ),
+            Case::running(
+                "2.5 + 0.75 × 0.8",
+                KeptIncrement2d { x1: X1, xn: XN, xm: XM, dx1: DX1, dxn: DXN, dxmk: DXM.y },
+            ),
         ];
         cases.extend(scenes(plane_lines()).into_iter().map(|(id, line, xm)| {
             let [dx1, dxn] = line.motion();
@@ -196,7 +210,7 @@ impl Proved for Increment2d {
     fn invalid_cases() -> Vec<Case<KeptIncrement2d<f64>>> {
         let (x1, zero) = (Vector2::new(1.0, 2.0), Vector2::zeros());
         let inputs = KeptIncrement2d { x1, xn: x1, xm: zero, dx1: zero, dxn: zero, dxmk: 0.0 };
-        vec![Case::invalid("coincident", "nodes 1 and n at one place", inputs)]
+        vec![Case::invalid("coincident", "nodes 1 and n coincide", inputs)]
     }
 
     fn kinks() -> Vec<Kink<Self>> {

@@ -65,7 +65,7 @@ fn loads() -> Vec<Case<SliderLoads<f64>>> {
 
 fn coincident() -> Vec<Case<Nodes<f64>>> {
     let x1 = Vector3::new(1.0, 2.0, 3.0);
-    vec![Case::invalid("coincident", "nodes 1 and n at one place", Nodes { x1, xn: x1, xm: Vector3::zeros() })]
+    vec![Case::invalid("coincident", "nodes 1 and n coincide", Nodes { x1, xn: x1, xm: Vector3::zeros() })]
 }
 
 fn invalid_loads() -> Vec<Case<SliderLoads<f64>>> {

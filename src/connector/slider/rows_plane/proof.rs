@@ -48,7 +48,7 @@ fn loads() -> Vec<Case<SliderLoads2d<f64>>> {
 
 fn coincident() -> Vec<Case<Nodes2d<f64>>> {
     let x1 = Vector2::new(1.0, 2.0);
-    vec![Case::invalid("coincident", "nodes 1 and n at one place", Nodes2d { x1, xn: x1, xm: Vector2::zeros() })]
+    vec![Case::invalid("coincident", "nodes 1 and n coincide", Nodes2d { x1, xn: x1, xm: Vector2::zeros() })]
 }
 
 fn invalid_loads() -> Vec<Case<SliderLoads2d<f64>>> {

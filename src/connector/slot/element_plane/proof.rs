@@ -23,7 +23,7 @@ impl ProvedElement<1, 6> for SlotElement2d {
                 "away from both axes",
                 PlanePlaces { e2a, xa: Vector2::new(1.0, 2.0), xb: Vector2::new(2.5, 2.25) },
             ),
-            ("coincident", "both nodes at one place", PlanePlaces { e2a, xa: near, xb: near }),
+            ("coincident", "both nodes coincide", PlanePlaces { e2a, xa: near, xb: near }),
             ("offset-1e8", "far from the origin", PlanePlaces { e2a, xa: near * 1e8, xb: near * 1e8 + near }),
             ("distance-1e8", "nodes far apart", PlanePlaces { e2a, xa: near, xb: near * 1e8 }),
         ];

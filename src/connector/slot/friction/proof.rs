@@ -8,7 +8,7 @@ use crate::number::scalar::{Scalar, norm};
 impl Proved for ContactForce {
     fn cases() -> Vec<Case<CrossForces<f64>>> {
         let mut cases = vec![
-            Case::hand("pythagoras", "3-4-5", CrossForces { f2: 3.0, f3: 4.0 }),
+            Case::running("3-4-5", CrossForces { f2: 3.0, f3: 4.0 }),
             Case::hand("plane", "in the plane f3 = 0 and the contact force is |f2|", CrossForces { f2: -2.0, f3: 0.0 }),
         ];
         cases.extend(hard::norms().into_iter().map(|load| {
@@ -46,7 +46,7 @@ impl Proved for NormalForce {
     fn cases() -> Vec<Case<ContactForces<f64>>> {
         let hand = ContactForces { fc: 5.0, fc_int: 1.0 };
         vec![
-            Case::hand("press-fit", "5 + 1", hand),
+            Case::running("5 + 1", hand),
             Case::hand(
                 "tension",
                 "|5 - 9| = 4: an internal force against the contact force",
@@ -95,7 +95,7 @@ impl Proved for Friction {
     fn cases() -> Vec<Case<SlotLoads<f64>>> {
         let hand = SlotLoads { f1: -2.0, f2: 3.0, f3: 4.0, fc_int: 1.0, mu: 0.25 };
         let mut cases = vec![
-            Case::hand("stick", "P = 2, F_N = 6, Φ = 2 - 1.5 = 0.5: f1 cannot be transmitted", hand),
+            Case::running("P = 2, F_N = 6, Φ = 2 - 1.5 = 0.5: f1 cannot be transmitted", hand),
             Case::hand("slip", "P = 1.5 = μ F_N: Φ = 0", SlotLoads { f1: 1.5, ..hand }),
             Case::hand("frictionless", "μ = 0: Φ = P", SlotLoads { mu: 0.0, ..hand }),
             Case::hard("no-axial-force", "f1 = 0: derivative 0 by convention", SlotLoads { f1: 0.0, ..hand }),

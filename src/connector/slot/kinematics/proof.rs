@@ -20,7 +20,7 @@ impl Proved for RelativePosition {
             xb: Vector3::new(4.0, 6.0, 15.0),
         };
         let mut cases = vec![
-            Case::hand("axes", "a along the global axes: the plain difference (3, 4, 12)", hand),
+            Case::running("a along the global axes: the plain difference (3, 4, 12)", hand),
             Case::hand(
                 "quarter-turn",
                 "a turned by 90° about 3: x along the global y",
@@ -56,7 +56,7 @@ impl Proved for Constraint {
         };
         let mut cases = vec![
             Case::hand("on-the-slot", "b at (y0, z0): both residuals vanish", hand),
-            Case::hand("off-the-slot", "y - y0 = 4 - 5, z - z0 = 12 - 10", SlotPositions { y0: 5.0, z0: 10.0, ..hand }),
+            Case::running("y - y0 = 4 - 5, z - z0 = 12 - 10", SlotPositions { y0: 5.0, z0: 10.0, ..hand }),
         ];
         cases.extend(hard::places().into_iter().map(|place| {
             let [xa, xb] = place.value;
@@ -93,6 +93,10 @@ impl Proved for Constraint2d {
         let mut cases = vec![
             Case::hand("on-the-slot", "b at y0: the residual vanishes", hand),
             Case::hand("off-the-slot", "y - y0 = 2 - 5", SlotPositions2d { y0: 5.0, ..hand }),
+            Case::running(
+                "y - y0 = 4 - 5",
+                SlotPositions2d { xa: Vector2::new(1.0, 2.0), xb: Vector2::new(4.0, 6.0), y0: 5.0, ..hand },
+            ),
         ];
         cases.extend(hard::places().into_iter().map(|place| {
             let [xa, xb] = place.value;
@@ -121,7 +125,7 @@ impl Proved for ConstraintForce {
         let [_, e2a, e3a] = hard::triad();
         let axes = CrossFrame { e2a: Vector3::y(), e3a: Vector3::z(), f2: 3.0, f3: 4.0 };
         let mut cases = vec![
-            Case::hand("axes", "f = (0, 3, 4)", axes),
+            Case::running("f = (0, 3, 4)", axes),
             Case::limit("plane", "in the plane f3 = 0", CrossFrame { f3: 0.0, ..axes }),
         ];
         cases.extend(hard::norms().into_iter().map(|load| {
@@ -143,7 +147,7 @@ impl Proved for RelativeMotion {
     fn cases() -> Vec<Case<SlotLengths<f64>>> {
         let hand = SlotLengths { x: 3.0, x0: 1.0, l1_ref: 0.5 };
         vec![
-            Case::hand("extended", "u1 = 3 - 1, u1_mat = 3 - 0.5", hand),
+            Case::running("u1 = 3 - 1, u1_mat = 3 - 0.5", hand),
             Case::hand("start", "no displacement at the start", SlotLengths { x: 1.0, ..hand }),
             Case::hard(
                 "far",
@@ -171,7 +175,7 @@ impl Proved for RelativeMotion {
 impl Proved for KineticForce {
     fn cases() -> Vec<Case<SlotForce<f64>>> {
         let [e1a, ..] = hard::triad();
-        let mut cases = vec![Case::hand("axes", "f = (-2, 0, 0)", SlotForce { e1a: Vector3::x(), f1: -2.0 })];
+        let mut cases = vec![Case::running("f = (-2, 0, 0)", SlotForce { e1a: Vector3::x(), f1: -2.0 })];
         cases.extend(hard::norms().into_iter().map(|load| {
             let [f1] = load.value;
             Case::hard(load.id, "a load of extreme size", SlotForce { e1a, f1 })
@@ -190,11 +194,11 @@ impl Proved for Stop {
     fn cases() -> Vec<Case<StopLengths<f64>>> {
         let hand = StopLengths { x: 3.0, l1_min: 1.0, l1_max: 7.0 };
         vec![
-            Case::hand("between", "2 above the lower stop, 4 below the upper", hand),
+            Case::running("2 above the lower stop, 4 below the upper", hand),
             Case::limit("at-lower", "the lower gap is 0", StopLengths { x: 1.0, ..hand }),
             Case::limit("at-upper", "the upper gap is 0", StopLengths { x: 7.0, ..hand }),
             Case::hand("beyond", "the upper gap is negative", StopLengths { x: 8.0, ..hand }),
-            Case::hand("closed", "both stops at one place", StopLengths { l1_min: 7.0, ..hand }),
+            Case::hand("closed", "both stops coincide", StopLengths { l1_min: 7.0, ..hand }),
             Case::hard(
                 "ulp",
                 "one ulp from both stops",

@@ -78,7 +78,7 @@ impl Proved for Rows {
 
     fn laws() -> Vec<Law<Self>> {
         vec![
-            Law::<Self>::new("it is the derivative of the residual by translations and spins", |i| {
+            Law::<Self>::new("it is the derivative of the residual with respect to translations and spins", |i| {
                 let residual = |motion: &Vector6<Octuple>| {
                     let PlanePlaces { e2a, xa, xb } = moved(i, motion);
                     Constraint2d::eval(&SlotPositions2d { e2a, xa, xb, y0: still(Octuple::zero()) }).gy
@@ -129,7 +129,7 @@ impl Proved for GeometricStiffness {
 
     fn laws() -> Vec<Law<Self>> {
         vec![
-            Law::<Self>::new("it is the derivative of the nodal forces by translations and spins", |i| {
+            Law::<Self>::new("it is the derivative of the nodal forces with respect to translations and spins", |i| {
                 let matrix = Self::eval(i).matrix();
                 let columns = alone().into_iter().enumerate().flat_map(|(k, motion)| {
                     let PlanePlaces { e2a, xa, xb } = moved(&PlanePlaces { e2a: i.e2a, xa: i.xa, xb: i.xb }, &motion);

@@ -10,7 +10,7 @@ impl Proved for TorqueForce {
     fn cases() -> Vec<Case<Torque<f64>>> {
         let hand = Torque { m1: -6.0, rr: 0.5 };
         vec![
-            Case::hand("shaft", "|-6| / 0.5 = 12", hand),
+            Case::running("|-6| / 0.5 = 12", hand),
             Case::limit("no-radius", "R_r = 0: the torque is ignored", Torque { rr: 0.0, ..hand }),
             Case::hard("no-torque", "m1 = 0: derivative 0 by convention", Torque { m1: 0.0, ..hand }),
             Case::hard("nothing", "neither torque nor radius", Torque { m1: 0.0, rr: 0.0 }),
@@ -67,7 +67,7 @@ impl Proved for BendingForce {
     fn cases() -> Vec<Case<Bending<f64>>> {
         let hand = Bending { m2: 5.0, m3: -12.0, l: 2.0 };
         let mut cases = vec![
-            Case::hand("couple", "2 × 13 / 2 = 13", hand),
+            Case::running("2 × 13 / 2 = 13", hand),
             Case::limit("no-length", "L = 0: bending is ignored", Bending { l: 0.0, ..hand }),
             Case::hard("nothing", "neither moment nor length", Bending { m2: 0.0, m3: 0.0, l: 0.0 }),
             Case::hard("short", "a length of 1e-12", Bending { l: 1e-12, ..hand }),

@@ -11,7 +11,7 @@ use num_traits::Zero;
 impl Proved for ContactForce {
     fn cases() -> Vec<Case<ContactLoads<f64>>> {
         let mut cases = vec![
-            Case::hand("all", "12 + 5 + 13", HAND),
+            Case::running("12 + 5 + 13", HAND),
             Case::limit("no-radius", "R_r = 0 ignores the torque: 5 + 13", ContactLoads { rr: 0.0, ..HAND }),
             Case::limit("no-length", "L = 0 ignores bending: 12 + 5", ContactLoads { l: 0.0, ..HAND }),
             Case::hand("slot", "without moments it is the contact force of a SLOT", {
@@ -67,7 +67,7 @@ impl Proved for Friction {
     fn cases() -> Vec<Case<FrictionLoads<f64>>> {
         let hand = FrictionLoads::new(-6.0, &HAND, 2.0, 0.25);
         let mut cases = vec![
-            Case::hand("stick", "F_N = 30 + 2, Φ = 6 - 8: sticks", hand),
+            Case::running("F_N = 30 + 2, Φ = 6 - 8: sticks", hand),
             Case::hand("slip", "P = 8 = μ F_N: Φ = 0", FrictionLoads { f1: 8.0, ..hand }),
             Case::hand("frictionless", "μ = 0: Φ = P", FrictionLoads { mu: 0.0, ..hand }),
             Case::limit("no-levers", "R_r = L = 0: the friction of a SLOT", FrictionLoads { rr: 0.0, l: 0.0, ..hand }),

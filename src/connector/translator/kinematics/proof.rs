@@ -30,6 +30,19 @@ impl Proved for Constraint {
                 "2 - 5, -3 - 1, and minus the initial angles",
                 Placement { y0: 5.0, z0: 1.0, alpha0: 0.5, beta0: -0.25, gamma0: 3.0, ..aligned },
             ),
+            Case::running(
+                "4 - 5, 12 - 10, and 0.6435 minus the initial angles",
+                Placement {
+                    xa: Vector3::new(1.0, 2.0, 3.0),
+                    xb: Vector3::new(4.0, 6.0, 15.0),
+                    y0: 5.0,
+                    z0: 10.0,
+                    alpha0: 0.6,
+                    beta0: 0.7,
+                    gamma0: 0.5,
+                    ..Placement::of(Triads::new([x, y, z], turns::PYTHAGOREAN))
+                },
+            ),
         ];
         let [a, b] = turns::at_angles([0.3, 0.4, -0.7].map(Octuple::from));
         cases.extend(hard::places().into_iter().map(|place| {

@@ -2,14 +2,14 @@
 
 use super::{Arm, AxialFactors, AxialShares, TwistFactors, TwistShares, phi, timoshenko};
 use crate::Octuple;
-use crate::connector::ujoint::running::{LA, RP, RUNNING};
+use crate::connector::ujoint::running::{LA, RP};
 use crate::formula::Formula;
 use crate::formula::proof::{Case, Law, Proved, hard, law};
 
 impl Proved for TwistFactors {
     fn cases() -> Vec<Case<Arm<f64>>> {
         let mut cases = vec![
-            Case::hand(RUNNING, "φ = 2.2: 5/106, 63/212", Arm { la: LA, rp: RP }),
+            Case::running("φ = 2.2: 5/106, 63/212", Arm { la: LA, rp: RP }),
             Case::hand("lambda-6.6", "σ = 33/38: α = 33/304, β = 109/304", Arm { la: 33.0, rp: 5.0 }),
             Case::limit("stubby", "λ → 0: a rigid arm, α → 0, β → 1/4", Arm { la: 1e-9, rp: 1.0 }),
             Case::limit("long", "λ → ∞: a clamped Euler–Bernoulli arm, α → 1/8, β → 3/8", Arm { la: 1e9, rp: 1.0 }),
@@ -56,7 +56,7 @@ impl Proved for TwistFactors {
 impl Proved for AxialFactors {
     fn cases() -> Vec<Case<Arm<f64>>> {
         let mut cases = vec![
-            Case::hand(RUNNING, "σ = 4/10: α = 0.35, β = 0.15", Arm { la: LA, rp: RP }),
+            Case::running("σ = 4/10: α = 0.35, β = 0.15", Arm { la: LA, rp: RP }),
             Case::hand("lambda-2", "σ = 4/10: α = 0.35, β = 0.15", Arm { la: 2.0, rp: 1.0 }),
             Case::hand("lambda-3", "σ = 9/15: α = 0.4, β = 0.1", Arm { la: 4.5, rp: 1.5 }),
             Case::hard("stubby", "λ → 0: four hinges share alike, α, β → 1/4", Arm { la: 1e-9, rp: 1.0 }),

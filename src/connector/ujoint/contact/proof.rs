@@ -3,7 +3,7 @@
 use super::{ContactMomentPair, ContactMoments, JointLoads};
 use crate::Octuple;
 use crate::connector::ujoint::decomposition::proof::{HardLoads, hard_loads};
-use crate::connector::ujoint::running::{E3B, FORCE, LA, LS, M2, RP, RUNNING};
+use crate::connector::ujoint::running::{E3B, FORCE, LA, LS, M2, RP};
 use crate::connector::ujoint::{
     Arm, AxialForces, Bending, CentreLoads, CrossForces, CrossLoads, HingeAxial, HingeBending, HingeTransverse,
     TwistFactors,
@@ -89,7 +89,7 @@ fn equal_pairs(left: ContactMomentPair<Octuple>, right: ContactMomentPair<Octupl
 pub(crate) fn hard_cases() -> Vec<Case<JointLoads<f64>>> {
     let hand = hand();
     let mut cases = vec![
-        Case::hand(RUNNING, "1.54 × 0.5 + (9.025 + 3.5) × 1.05, 6.125 × 0.5 + (8.66 + 3.5) × 1.05", running()),
+        Case::running("1.54 × 0.5 + (9.025 + 3.5) × 1.05, 6.125 × 0.5 + (8.66 + 3.5) × 1.05", running()),
         Case::hand("straight", "α_axial = 0.35, β_axial = 0.15, F_bend = 16, M_bend = 4", hand),
         Case::hand("no-twist", "√(4² + 12²) and 5, 2 × 4/4 each", JointLoads { m2: 0.0, ..hand }),
         Case::hand("bend-alone", "16/4 and 2 × 4/4: 6 each", JointLoads { f1: 0.0, f3: 0.0, m2: 0.0, ..hand }),

@@ -2,7 +2,7 @@
 
 use super::{CrossForces, CrossLoads, Decomposition};
 use crate::Octuple;
-use crate::connector::ujoint::running::{E3B, FORCE, RUNNING};
+use crate::connector::ujoint::running::{E3B, FORCE};
 use crate::formula::Formula;
 use crate::formula::proof::{Case, Law, Proved, hard, law};
 use crate::number::scalar::norm;
@@ -21,7 +21,7 @@ impl Proved for Decomposition {
         };
         let [f1, f2, f3] = FORCE;
         let mut cases = vec![
-            Case::hand(RUNNING, "-4.4, 2.46 + 15.04, 3.28 - 11.28", CrossLoads { e3b: E3B, f1, f2, f3, ..hand }),
+            Case::running("-4.4, 2.46 + 15.04, 3.28 - 11.28", CrossLoads { e3b: E3B, f1, f2, f3, ..hand }),
             Case::hand(
                 "bent",
                 "sin α = 0.6: 2, -0.6 × 5 + 0.8 × 10 = 5, e_cross = (0, -0.8, -0.6): -4 - 6 = -10",

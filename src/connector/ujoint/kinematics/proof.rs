@@ -3,7 +3,7 @@
 use super::{Constraint, Jointed, Stop, StopAngles};
 use crate::Octuple;
 use crate::connector::join::{self, Joined};
-use crate::connector::ujoint::running::{E3B, RUNNING};
+use crate::connector::ujoint::running::E3B;
 use crate::connector::universal::{self, Shafts};
 use crate::element::cardan::turns;
 use crate::formula::Formula;
@@ -24,8 +24,7 @@ impl Proved for Constraint {
             c0: 0.0,
         };
         let mut cases = vec![
-            Case::hand(
-                RUNNING,
+            Case::running(
                 "(3, 4, 12) - (2.75, 4.25, 11.5), and the arms perpendicular",
                 Jointed { e3b: E3B, d0: Vector3::new(2.75, 4.25, 11.5), ..hand },
             ),
@@ -125,8 +124,7 @@ impl Proved for Stop {
             theta3_max: 1.5,
         };
         vec![
-            Case::hand(
-                RUNNING,
+            Case::running(
                 "sin α = 0.6: 1.6435, 0.3565, 2, 1",
                 StopAngles { alpha: 0.6435, gamma: 0.5, theta1_max: 1.0, ..hand },
             ),

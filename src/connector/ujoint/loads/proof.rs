@@ -2,7 +2,7 @@
 
 use super::{CrossDirection, JoinForces, Reaction};
 use crate::Octuple;
-use crate::connector::ujoint::running::{E3B, FORCE, RUNNING};
+use crate::connector::ujoint::running::{E3B, FORCE};
 use crate::element::cross::CrossAxes;
 use crate::formula::Formula;
 use crate::formula::proof::{Case, Kink, Law, Proved, hard, law};
@@ -13,7 +13,7 @@ impl Proved for Reaction {
     fn cases() -> Vec<Case<JoinForces<f64>>> {
         let [f1, f2, f3] = FORCE;
         let mut cases = vec![
-            Case::hand(RUNNING, "√389.61, as 4.4, 17.5 and 8 along the cross have", JoinForces { f1, f2, f3 }),
+            Case::running("√389.61, as 4.4, 17.5 and 8 along the cross have", JoinForces { f1, f2, f3 }),
             Case::hand("pythagoras", "3-4-12-13", JoinForces { f1: 3.0, f2: -4.0, f3: 12.0 }),
         ];
         cases.extend(hard::norms().into_iter().map(|load| {
@@ -42,7 +42,7 @@ impl Proved for CrossDirection {
         let [e1a, e2a, e3a] = hard::triad();
         let [x, y, z] = [Vector3::x(), Vector3::y(), Vector3::z()];
         let mut cases = vec![
-            Case::hand(RUNNING, "x × (0, -0.6, 0.8)", CrossAxes { e1a: x, e3b: E3B }),
+            Case::running("x × (0, -0.6, 0.8)", CrossAxes { e1a: x, e3b: E3B }),
             Case::hand("straight", "x × z = -y", CrossAxes { e1a: x, e3b: z }),
             Case::hand("alpha-90", "b turned by 90° about e1a: x × -y = -z", CrossAxes { e1a: x, e3b: -y }),
             Case::hand("folded", "the axes of the cross coincide: no direction", CrossAxes { e1a: x, e3b: x }),

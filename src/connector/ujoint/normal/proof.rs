@@ -1,7 +1,6 @@
 //! Evidence for the formula of the parent module: cases, kinks, laws.
 
 use super::{AllContactMoments, NormalMoments};
-use crate::connector::ujoint::running::RUNNING;
 use crate::formula::Formula;
 use crate::formula::proof::{Case, Convention, Kink, Law, Proved, hard, law};
 
@@ -10,7 +9,7 @@ impl Proved for NormalMoments {
         let hand = AllContactMoments { mc1: 5.0, mc3: 2.0, mc1_int: -1.0, mc3_int: 3.0 };
         let running = AllContactMoments { mc1: 13.92125, mc3: 15.8305, mc1_int: 1.0, mc3_int: -2.0 };
         let mut cases = vec![
-            Case::hand(RUNNING, "2 × 13.92125 + 1, 2 × 15.8305 + 2", running),
+            Case::running("2 × 13.92125 + 1, 2 × 15.8305 + 2", running),
             Case::hand("press-fit", "2 × 5 + 1, 2 × 2 + 3", hand),
             Case::hand("no-press-fit", "M_N = 2 M_C", AllContactMoments { mc1_int: 0.0, mc3_int: 0.0, ..hand }),
             Case::hand("unloaded", "M_N = |M_C_int|", AllContactMoments { mc1: 0.0, mc3: 0.0, ..hand }),

@@ -19,6 +19,7 @@ impl Proved for Constraint {
                 Shafts { e3b: Vector3::new(0.6, 0.0, 0.8), c0: 0.5, ..right },
             ),
             Case::hand("in-line", "the shafts in one line", Shafts { e3b: Vector3::x(), ..right }),
+            Case::running("e1a·e3b = 0.6 against 0.55", Shafts { e3b: turns::PYTHAGOREAN[2], c0: 0.55, ..right }),
         ];
         cases.extend(turns::triads().into_iter().map(|pair| {
             let [[e1a, ..], [.., e3b]] = pair.value;
@@ -51,6 +52,7 @@ impl Proved for Angles {
             Case::hand("aligned", "both 0 where both triads are the same", Triads::new(a, b)),
             Case::hand("quarter-turn-of-a-shaft", "b turned by 90° about e1a", Triads::new(a, [x, z, -y])),
             Case::hand("quarter-turn-of-b-shaft", "b turned by 90° about e3b", Triads::new(a, [y, -x, z])),
+            Case::running("both have the sine 0.6", Triads::new(a, turns::PYTHAGOREAN)),
         ];
         cases.extend(turns::triads().into_iter().map(|pair| {
             let [a, b] = pair.value;
@@ -101,6 +103,17 @@ impl Proved for RelativeMotion {
                 "tiny",
                 "angles of 1e-200",
                 TurnsSince { alpha: 3e-200, gamma: -1e-200, alpha0: 1e-200, gamma0: 0.0, ..hand },
+            ),
+            Case::running(
+                "0.6435 - 0.6, 0.6435 - 0.5; 0.6435 - 0.25, 0.6435 + 1",
+                TurnsSince {
+                    alpha: 0.6435,
+                    gamma: 0.6435,
+                    alpha0: 0.6,
+                    gamma0: 0.5,
+                    theta1_ref: 0.25,
+                    theta3_ref: -1.0,
+                },
             ),
         ]
     }

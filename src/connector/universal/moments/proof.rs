@@ -19,6 +19,7 @@ impl Proved for ConstraintMoment {
                 "cos α = 0.8, sin α = 0.6, and the size of e3b does not count",
                 Twisted { e3b: Vector3::new(0.0, -3.0, 4.0), ..axes },
             ),
+            Case::running("5 (0, 0.8, 0.6)", Twisted { e3b: turns::PYTHAGOREAN[2], m2: 5.0, ..axes }),
         ];
         cases.extend(turns::triads().into_iter().map(|pair| {
             let [[_, e2a, e3a], [.., e3b]] = pair.value;
@@ -77,7 +78,13 @@ impl Proved for KineticMoment {
     fn cases() -> Vec<Case<Driven<f64>>> {
         let axes = Driven { e1a: Vector3::x(), e3b: Vector3::z(), m1: 2.0, m3: -3.0 };
         let [e1a, _, e3b] = hard::triad();
-        let mut cases = vec![Case::hand("axes", "m = (2, 0, -3)", axes)];
+        let mut cases = vec![
+            Case::hand("axes", "m = (2, 0, -3)", axes),
+            Case::running(
+                "(1, 0, 0) + 2.5 (0.6, -0.48, 0.64)",
+                Driven { e3b: crate::element::cardan::turns::PYTHAGOREAN[2], m1: 1.0, m3: 2.5, ..axes },
+            ),
+        ];
         cases.extend(hard::norms().into_iter().map(|load| {
             let [m1, m3] = load.value;
             Case::hard(load.id, "moments of extreme size", Driven { e1a, e3b, m1, m3 })

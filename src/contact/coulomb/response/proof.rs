@@ -12,7 +12,7 @@ impl Proved for Response {
         let hand = Sliding { du: 0.5, f_before: 0.25, k_stick: 2.0, mu: 0.5, r#fn: 4.0 };
         vec![
             Case::hand("stick", "0.25 + 2 × 0.5 < 2: no slip", hand),
-            Case::hand("slip", "0.25 + 2 × 3 = 6.25 > 2: slipped are 4.25/2", Sliding { du: 3.0, ..hand }),
+            Case::running("0.25 + 2 × 3 = 6.25 > 2: slipped are 4.25/2", Sliding { du: 3.0, ..hand }),
             Case::hand("slip-back", "0.25 - 2 × 3: the force is -2, slipped are -3.75/2", Sliding { du: -3.0, ..hand }),
             Case::hand("frictionless", "μ = 0: all of the motion slips", Sliding { f_before: 0.0, mu: 0.0, ..hand }),
             Case::hand("open", "F_N = 0: the force is released, and slips too", Sliding { r#fn: 0.0, ..hand }),

@@ -45,6 +45,7 @@ impl Proved for ReturnMap2d {
             Case::hard("tiny", "squares underflow", Trial2d { r#fn: 8e-200, ..with(3e-200, -4e-200) }),
             Case::hard("huge", "squares overflow", Trial2d { r#fn: 8e200, ..with(-3e200, 4e200) }),
             Case::hard("stiff", "a trial force of 1e20", with(3e20, -4e20)),
+            Case::running("6.25 > 0.5 × 4: 2 along (0.6, 0.8)", Trial2d { mu: 0.5, r#fn: 4.0, ..with(3.75, 5.0) }),
         ]
     }
 

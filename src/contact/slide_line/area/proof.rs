@@ -4,6 +4,7 @@ use super::{ContactAreaLinear, ContactAreaParabolic, LinearNodes, ParabolicNodes
 use crate::Octuple;
 use crate::contact::slide_line::basis::length_and_tangent;
 use crate::contact::slide_line::points::proof::{parabolas, quarter_point};
+use crate::contact::slide_line::running::ELEMENT;
 use crate::formula::proof::{Case, Kink, Law, Proved, hard, law};
 use crate::formula::{Fields, Formula};
 use crate::number::scalar::pi;
@@ -19,6 +20,7 @@ impl Proved for ContactAreaLinear {
             Case::hand("on-the-axis", "both nodes on the axis", nodes([0.0, 1.0], [0.0, 2.0])),
             Case::hard("near-axis", "r = 1e-200", nodes([1e-200, 1.0], [0.5, 1.25])),
             Case::hard("coincident", "ℓ = 0: derivative 0 by convention", nodes([1.5, 1.0], [1.5, 1.0])),
+            Case::running("ℓ = 5: 16π and 31π", LinearNodes { x1: ELEMENT[0], x2: ELEMENT[1] }),
         ];
         cases.extend(hard::places().into_iter().filter(|place| place.id != "coincident").map(|place| {
             let [x1, x2] = place.value;
@@ -73,7 +75,11 @@ impl Proved for ContactAreaParabolic {
             Case::hand("axis", "r → 0: a node on the axis has no area", nodes([0.0, 1.0], [0.5, 1.0], [1.0, 1.5])),
             Case::hard("near-axis", "r = 1e-200", nodes([1e-200, 1.0], [0.5, 1.25], [1.0, 1.0])),
             Case::hard("closed", "x1 = x3: derivative 0 by convention", nodes([1.0, 1.0], [2.0, 1.5], [1.0, 1.0])),
-            Case::hard("coincident", "all nodes at one place", nodes([1.5, 1.0], [1.5, 1.0], [1.5, 1.0])),
+            Case::hard("coincident", "all nodes coincide", nodes([1.5, 1.0], [1.5, 1.0], [1.5, 1.0])),
+            {
+                let [x1, x2, x3] = ELEMENT;
+                Case::running("ℓ = 10: a sixth, two thirds, a sixth of 20π r", ParabolicNodes { x1, x2, x3 })
+            },
         ];
         cases.extend(parabolas().into_iter().map(|p| {
             // Shifted to the right of the axis; lengths of 1e200 would give areas that overflow.

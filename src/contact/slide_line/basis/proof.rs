@@ -1,6 +1,7 @@
 //! Evidence for the formula of the parent module: cases, laws.
 
 use super::{Basis, Direction, LocalBasis};
+use crate::contact::slide_line::running::RATE;
 use crate::formula::Formula;
 use crate::formula::proof::{Case, Law, Proved, hard, law};
 use nalgebra::Vector2;
@@ -13,6 +14,7 @@ impl Proved for LocalBasis {
             Case::hand("along-z", "t = (0, 1), n = (-1, 0)", along(0.0, 0.5)),
             Case::hand("backwards", "t = (-1, 0), n = (0, -1)", along(-3.0, 0.0)),
             Case::hand("pythagoras", "t = (0.6, 0.8), n = (-0.8, 0.6)", along(3.0, 4.0)),
+            Case::running("t = (0.6, 0.8), n = (-0.8, 0.6)", Direction { dx: RATE }),
         ];
         // The derivative of a direction is 1/|dx|, which overflows for a subnormal dx.
         let has_derivative = |id: &str| id != "zero" && id != "subnormal";

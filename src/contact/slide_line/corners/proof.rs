@@ -4,6 +4,7 @@ use super::{LinearCornerPlace, ParabolicCornerPlace, SmoothedLinearPoint, Smooth
 use crate::Octuple;
 use crate::contact::slide_line::points::proof::{reversed, same, size};
 use crate::contact::slide_line::points::{CurvePoint, LinearPlace, LinearPoint, ParabolicPlace, ParabolicPoint};
+use crate::contact::slide_line::running::{AT_CORNER, LINE, MIDSIDE};
 use crate::formula::proof::{Case, Hard, Law, Proved};
 use crate::formula::{Fields, Formula};
 use nalgebra::Vector2;
@@ -26,6 +27,13 @@ impl Proved for SmoothedLinearPoint {
             Case::hard("widest", "f → 1/2: the whole segments", LinearCornerPlace { f: 0.5_f64.next_down(), ..hand }),
             Case::hard("near-start", "t = 1e-9", LinearCornerPlace { t: 1e-9, ..hand }),
             Case::hard("near-end", "t one ulp below 1", LinearCornerPlace { t: 1.0_f64.next_down(), ..hand }),
+            {
+                let ([x1, x2, x3], (_, f, t)) = (LINE, AT_CORNER);
+                Case::running(
+                    "a quarter of (3.4, 3.2) and (5, 4.4), half of (4, 4)",
+                    LinearCornerPlace { x1, x2, x3, f, t },
+                )
+            },
         ];
         cases.extend(linear_corners().into_iter().map(|corner| {
             let [x1, x2, x3] = corner.value;
@@ -76,6 +84,10 @@ impl Proved for SmoothedParabolicPoint {
             ),
             Case::hard("near-start", "t = 1e-9", place(curved_corner(), 0.2, 1e-9)),
             Case::hard("near-end", "t one ulp below 1", place(curved_corner(), 0.2, 1.0_f64.next_down())),
+            Case::running(
+                "the same corner: the midside nodes are in the middle",
+                place([LINE[0], MIDSIDE[0], LINE[1], MIDSIDE[1], LINE[2]], AT_CORNER.1, AT_CORNER.2),
+            ),
         ];
         let corners = parabolic_corners().into_iter();
         cases.extend(corners.map(|corner| Case::hard(corner.id, corner.comment, place(corner.value, 0.2, 0.375))));

@@ -2,6 +2,7 @@
 
 use super::{CurvePoint, LinearPlace, LinearPoint, ParabolicPlace, ParabolicPoint};
 use crate::Octuple;
+use crate::contact::slide_line::running::{AT_PARABOLA, LINE, PARABOLA, SLAVE};
 use crate::formula::proof::{Case, Hard, Law, Proved, hard, law};
 use crate::formula::{Fields, Formula};
 use crate::number::scalar::abs;
@@ -17,6 +18,7 @@ impl Proved for LinearPoint {
             Case::hand("last-node", "g = 1 is the last node", LinearPlace { g: 1.0, ..hand }),
             Case::hard("near-first", "g one ulp above -1", LinearPlace { g: (-1.0_f64).next_up(), ..hand }),
             Case::hard("near-last", "g one ulp below 1", LinearPlace { g: 1.0_f64.next_down(), ..hand }),
+            Case::running("0.4 and 0.6 of the nodes", LinearPlace { x1: LINE[0], x2: LINE[1], g: SLAVE.1 }),
         ];
         cases.extend(hard::places().into_iter().map(|place| {
             let [x1, x2] = place.value;
@@ -52,6 +54,7 @@ impl Proved for ParabolicPoint {
             Case::hard("near-first", "g one ulp above -1", ParabolicPlace { g: (-1.0_f64).next_up(), ..hand }),
             Case::hard("near-last", "g one ulp below 1", ParabolicPlace { g: 1.0_f64.next_down(), ..hand }),
             Case::hard("near-midside", "g = 1e-17", ParabolicPlace { g: 1e-17, ..hand }),
+            Case::running("-0.125, 0.75 and 0.375 of the nodes", place(PARABOLA, AT_PARABOLA.1)),
         ];
         cases.extend(parabolas().into_iter().map(|p| Case::hard(p.id, p.comment, place(p.value, -0.6875))));
         cases.push(Case::hard(

@@ -3,6 +3,7 @@
 use super::{LinearMotion, ParabolicMotion, SlipIncrementLinear, SlipIncrementParabolic};
 use crate::Octuple;
 use crate::contact::slide_line::points::proof::{arch, parabolas, quarter_point};
+use crate::contact::slide_line::running::{AT_PARABOLA, LINE, MOTION, PARABOLA, SLAVE};
 use crate::contact::slide_line::{left, shape};
 use crate::formula::Formula;
 use crate::formula::proof::{Case, Law, Proved, hard, law};
@@ -34,6 +35,10 @@ impl Proved for SlipIncrementLinear {
             ),
             Case::hand("normal", "no slip along the normal", LinearMotion { x2: Vector2::new(1.0, 5.0), ..hand }),
             Case::hand("still", "nothing moves", LinearMotion { dxs: still, ..hand }),
+            {
+                let ([x1, x2, _], [dxs, dx1, dx2, _]) = (LINE, MOTION);
+                Case::running("t·((0.3, 0.1) - (0.16, 0.08))", LinearMotion { x1, x2, g: SLAVE.1, dxs, dx1, dx2 })
+            },
         ];
         let [dxs, dx1, dx2] = steps();
         let places = hard::places().into_iter().filter(|place| place.id != "coincident");
@@ -103,6 +108,13 @@ impl Proved for SlipIncrementParabolic {
                 ParabolicMotion { dx1: hand.dxs, dx2: hand.dxs, dx3: hand.dxs, ..hand },
             ),
             Case::hand("still", "nothing moves", ParabolicMotion { dxs: still, ..hand }),
+            {
+                let ([x1, x2, x3], [dxs, dx1, dx2, dx3]) = (PARABOLA, MOTION);
+                Case::running(
+                    "t·((0.3, 0.1) - (0.1, 0.2))",
+                    ParabolicMotion { x1, x2, x3, g: AT_PARABOLA.1, dxs, dx1, dx2, dx3 },
+                )
+            },
         ];
         cases.extend(parabolas().into_iter().map(|p| {
             let width = p.value[2].x - p.value[0].x;
@@ -122,7 +134,7 @@ impl Proved for SlipIncrementParabolic {
         let at = |[x1, x2, x3]: [Vector2<f64>; 3], g| ParabolicMotion { x1, x2, x3, g, dxs, dx1, dx2, dx3: dx1 };
         let [x1, x2, _] = arch(1.0);
         vec![
-            Case::invalid("coincident", "two nodes at one place", at([x1, x2, x2], 0.5)),
+            Case::invalid("coincident", "two nodes coincide", at([x1, x2, x2], 0.5)),
             Case::invalid("no-tangent", "X' = 0 beside a quarter-point node", at(quarter_point(), -1.0)),
         ]
     }

@@ -2,6 +2,7 @@
 
 use super::{LinearPressures, ParabolicPressures, TorqueLinear, TorqueParabolic};
 use crate::contact::slide_line::points::proof::parabolas;
+use crate::contact::slide_line::running::{ELEMENT, PRESSURE};
 use crate::formula::Formula;
 use crate::formula::proof::{Case, Kink, Law, Proved, hard, law};
 use nalgebra::Vector2;
@@ -19,6 +20,10 @@ impl Proved for TorqueLinear {
             Case::hard("coincident", "ℓ = 0: derivative 0 by convention", on([1.5, 1.0], [1.5, 1.0], 2.0, 3.0)),
             Case::hard("tiny", "lengths of 1e-100", on([3e-100, 1e-100], [7e-100, 4e-100], 1e-5, 3e-5)),
             Case::hard("huge", "lengths of 1e100", on([3e100, 1e100], [7e100, 4e100], 1e-5, 3e-5)),
+            {
+                let ([x1, x2, _], [p1, p2, _]) = (ELEMENT, PRESSURE);
+                Case::running("r² p, integrated from 3.2 to 6.2", LinearPressures { x1, x2, p1, p2 })
+            },
         ];
         cases.extend(hard::places().into_iter().filter(|place| place.id != "coincident").map(|place| {
             let [x1, x2] = place.value;
@@ -87,7 +92,11 @@ impl Proved for TorqueParabolic {
             Case::hand("bowl", "a curved element", on(bowl, [0.5, 0.25, 0.75])),
             Case::hard("near-axis", "r = 1e-200", on([[1e-200, 1.0], [1e-200, 2.0], [1e-200, 3.5]], [5.0, 6.0, 7.0])),
             Case::hard("closed", "x1 = x3, X'(0) = 0", on([[1.0, 1.0], [2.0, 1.5], [1.0, 1.0]], [1.0, 2.0, 3.0])),
-            Case::hard("coincident", "all nodes at one place", on([[1.5, 1.0]; 3], [1.0, 2.0, 3.0])),
+            Case::hard("coincident", "all nodes coincide", on([[1.5, 1.0]; 3], [1.0, 2.0, 3.0])),
+            {
+                let ([x1, x2, x3], [p1, p2, p3]) = (ELEMENT, PRESSURE);
+                Case::running("r² p, integrated from 3.2 to 9.2", ParabolicPressures { x1, x2, x3, p1, p2, p3 })
+            },
         ];
         cases.extend(parabolas().into_iter().map(|p| {
             // Shifted to the right of the axis, and scaled to sizes whose third power does not over- or underflow.

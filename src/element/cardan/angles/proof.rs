@@ -36,6 +36,7 @@ impl Proved for CardanAngles {
                 "e1a·e3b = 1 - 2⁻⁶⁰, which rounds to 1",
                 Triads { e1a: Vector3::new(1.0, 1.0, 0.0), e3b: Vector3::new(1.0, -(2.0_f64.powi(-60)), 0.5), ..hand },
             ),
+            Case::running("all three have the sine 0.6 and the cosine 0.8", Triads::new([x, y, z], turns::PYTHAGOREAN)),
         ];
         cases.extend(turns::triads().into_iter().map(|pair| {
             let [a, b] = pair.value;

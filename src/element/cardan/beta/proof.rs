@@ -26,6 +26,10 @@ impl Proved for BetaTwoArgument {
             ),
             Case::hard("1e-14-below-90", "β within 1e-14 of 90°, in sight of rounding", off_axis(quarter - 1e-14)),
             Case::hard("1e-12-below-90", "β within 1e-12 of 90°", off_axis(quarter - 1e-12)),
+            {
+                let [e1b, e2b, e3b] = turns::PYTHAGOREAN;
+                Case::running("sine 0.6, cosine √(0.64² + 0.48²)", BetaAxes { e1a: x, e1b, e2b, e3b })
+            },
         ];
         let on_kink = turns::gimbal_locked().into_iter();
         cases.extend(on_kink.chain(turns::triads()).map(|pair| {

@@ -42,7 +42,7 @@ impl Laws {
                 claim(if axial {
                     "frame indifference: where the model is moved along the axis, forces and matrix remain"
                 } else {
-                    "frame indifference: where the model is moved and turned, forces and matrix turn with it"
+                    "frame indifference: if the model is moved and rotated, forces and matrix rotate with it"
                 })
             }),
             homogeneity: claim("dimensional homogeneity: other base units only rescale every number"),

@@ -149,8 +149,8 @@ pub(super) fn changes(op: &Op) -> Vec<Worded> {
     };
     let mut all = match op {
         Op::Binary(Binary::Add, ..) => vec![
-            of(Change::Linear(1.0, -1.0), "the sign of {1} is turned in {}"),
-            of(Change::Linear(-1.0, 1.0), "the sign of {0} is turned in {}"),
+            of(Change::Linear(1.0, -1.0), "the sign of {1} is reversed in {}"),
+            of(Change::Linear(-1.0, 1.0), "the sign of {0} is reversed in {}"),
             of(Change::Operand(0, 1.0), "the term {1} is left out of {}"),
             of(Change::Operand(1, 1.0), "the term {0} is left out of {}"),
             of(Change::Linear(1.0, 2.0), "a factor of 2 too much in {1}, a term of {}"),
@@ -160,9 +160,9 @@ pub(super) fn changes(op: &Op) -> Vec<Worded> {
             of(Change::Other(Binary::Multiply), "a product for the sum {}"),
         ],
         Op::Binary(Binary::Subtract, ..) => vec![
-            of(Change::Linear(1.0, 1.0), "the sign of {1} is turned in {}"),
-            of(Change::Linear(-1.0, 1.0), "the sign of {} is turned"),
-            of(Change::Linear(-1.0, -1.0), "the sign of {0} is turned in {}"),
+            of(Change::Linear(1.0, 1.0), "the sign of {1} is reversed in {}"),
+            of(Change::Linear(-1.0, 1.0), "the sign of {} is reversed"),
+            of(Change::Linear(-1.0, -1.0), "the sign of {0} is reversed in {}"),
             of(Change::Operand(0, 1.0), "the term {1} is left out of {}"),
             of(Change::Operand(1, -1.0), "the term {0} is left out of {}"),
             of(Change::Linear(1.0, -2.0), "a factor of 2 too much in {1}, a term of {}"),
@@ -171,7 +171,7 @@ pub(super) fn changes(op: &Op) -> Vec<Worded> {
             of(Change::Linear(0.5, -1.0), "a factor of ½ too much in {0}, a term of {}"),
         ],
         Op::Binary(Binary::Multiply, x, y) => {
-            let mut all = vec![of(Change::Times(-1.0), "the sign of {} is turned")];
+            let mut all = vec![of(Change::Times(-1.0), "the sign of {} is reversed")];
             if x == y {
                 all.push(of(Change::Operand(0, 1.0), "the square of {0} is missing: {0} for {}"));
             } else {
@@ -188,7 +188,7 @@ pub(super) fn changes(op: &Op) -> Vec<Worded> {
                 of(Change::Operand(0, 1.0), "the division by {1} is missing in {}"),
                 of(Change::Other(Binary::Multiply), "a product for the quotient {}"),
                 of(Change::Turned, "inverted: {1} / {0} for {}"),
-                of(Change::Times(-1.0), "the sign of {} is turned"),
+                of(Change::Times(-1.0), "the sign of {} is reversed"),
             ],
             factors("{}"),
         ]
@@ -196,7 +196,7 @@ pub(super) fn changes(op: &Op) -> Vec<Worded> {
         Op::Binary(Binary::Angle, ..) => vec![
             of(Change::Turned, "the arguments of {} are exchanged"),
             of(Change::Quotient, "an arctangent of a quotient, without quadrants, for {}"),
-            of(Change::Times(-1.0), "the sign of {} is turned"),
+            of(Change::Times(-1.0), "the sign of {} is reversed"),
             of(Change::Times(180.0 / std::f64::consts::PI), "degrees for radians in {}"),
         ],
         Op::Binary(Binary::Maximum, ..) => vec![
@@ -208,7 +208,7 @@ pub(super) fn changes(op: &Op) -> Vec<Worded> {
             let mut all = vec![
                 of(Change::Square, "the root is lost: the square of {}"),
                 of(Change::Sum, "the sum of the components for {}"),
-                of(Change::Times(-1.0), "the sign of {} is turned"),
+                of(Change::Times(-1.0), "the sign of {} is reversed"),
             ];
             let without = |k: usize| (Change::Without(k), format!("the component {{{k}}} is left out of {{}}"));
             all.extend((0..parts.len()).map(without));
@@ -217,28 +217,28 @@ pub(super) fn changes(op: &Op) -> Vec<Worded> {
         }
         Op::Unary(Unary::Root, _) => vec![
             of(Change::Operand(0, 1.0), "the root is lost: {0} for {}"),
-            of(Change::Times(-1.0), "the sign of {} is turned"),
+            of(Change::Times(-1.0), "the sign of {} is reversed"),
         ],
         Op::Unary(Unary::Absolute, _) => vec![
             of(Change::Operand(0, 1.0), "{0} for its absolute value"),
             of(Change::Positive, "max(0, {0}) for {}"),
-            of(Change::Times(-1.0), "the sign of {} is turned"),
+            of(Change::Times(-1.0), "the sign of {} is reversed"),
             of(Change::Square, "the square of {0} for {}"),
         ],
         Op::Unary(Unary::Negative, _) => vec![of(Change::Operand(0, 1.0), "a minus is missing before {0}")],
         Op::Unary(Unary::Sine, _) => vec![
             of(Change::Function(Unary::Cosine), "cos for sin of {0}"),
-            of(Change::Times(-1.0), "the sign of {} is turned"),
+            of(Change::Times(-1.0), "the sign of {} is reversed"),
             of(Change::Operand(0, 1.0), "the small angle {0} for {}"),
         ],
         Op::Unary(Unary::Cosine, _) => vec![
             of(Change::Function(Unary::Sine), "sin for cos of {0}"),
-            of(Change::Times(-1.0), "the sign of {} is turned"),
+            of(Change::Times(-1.0), "the sign of {} is reversed"),
             of(Change::Constant(1.0), "1, as for a small angle, for {}"),
         ],
         Op::Unary(Unary::ArcSine, _) => vec![
             of(Change::Operand(0, 1.0), "the small angle {0} for {}"),
-            of(Change::Times(-1.0), "the sign of {} is turned"),
+            of(Change::Times(-1.0), "the sign of {} is reversed"),
             of(Change::Times(180.0 / std::f64::consts::PI), "degrees for radians in {}"),
         ],
         Op::Unary(Unary::Exponential, _) => vec![

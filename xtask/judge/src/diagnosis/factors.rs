@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 
 /// Factors with names.
 const NAMED: [(f64, &str); 10] = [
-    (-1.0, "the sign is turned of"),
+    (-1.0, "wrong sign:"),
     (0.0, "left out (always 0):"),
     (2.0, "a factor of 2 too much in"),
     (0.5, "a factor of ½ too much in"),
@@ -88,7 +88,7 @@ pub(super) fn whose(evidence: &Evidence<'_>, places: &BTreeSet<usize>) -> String
         let columns = lines(inputs, &rest, &all, |j| (0..m).map(|i| m + i * n + j).collect());
         match (rows, columns) {
             (Some(names), _) if rest.len() > 1 => format!("the derivatives of {}", names.join(", ")),
-            (_, Some(names)) if rest.len() > 1 => format!("the derivatives by {}", names.join(", ")),
+            (_, Some(names)) if rest.len() > 1 => format!("the derivatives with respect to {}", names.join(", ")),
             _ => list(&evidence.names, &rest),
         }
     };

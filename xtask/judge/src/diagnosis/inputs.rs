@@ -30,7 +30,7 @@ pub(super) fn others(inputs: &[Field]) -> Vec<Other> {
             add(format!("{name} is taken for degrees"), times(PI / 180.0));
             add(format!("{name} is converted to degrees"), times(180.0 / PI));
         }
-        add(format!("the sign of the input {name} is turned"), times(-1.0));
+        add(format!("the sign of the input {name} is reversed"), times(-1.0));
         add(format!("the input {name} is taken twice"), times(2.0));
         add(format!("half of the input {name} is taken"), times(0.5));
         for a in components.clone() {

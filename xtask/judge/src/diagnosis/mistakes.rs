@@ -39,7 +39,7 @@ fn of_numbers(evidence: &Evidence<'_>) -> Vec<Model> {
     let [value, rest] = evidence.parts();
     let turned = |what: &str, places: std::ops::Range<usize>| {
         let map: Vec<_> = places.map(|place| (place, vec![(place, -1.0)])).collect();
-        (format!("the sign is turned of {what}"), map)
+        (format!("wrong sign: {what}"), map)
     };
     // These are looked for in any case, since beside other mistakes no number is a multiple of the right one.
     let signs = [("the whole Jacobian", rest), ("the whole value", value)];
@@ -325,7 +325,7 @@ fn branches_by_input(evidence: &Evidence<'_>, words: &Words<'_>, place: Node) ->
         for (field, columns) in &inputs {
             let only = (0..m).flat_map(|i| columns.clone().map(move |j| m + i * n + j)).collect();
             let what = words.fill(&template, place, Scope::Jacobian, false);
-            let what = format!("{what}, in the derivatives by {}", field.name);
+            let what = format!("{what}, in the derivatives with respect to {}", field.name);
             all.push(Model { changes: vec![(place, change)], scope: Scope::Jacobian, only, ..Model::new(what) });
         }
     }
@@ -351,7 +351,7 @@ fn links(book: &Textbook, words: &Words<'_>, groups: &[Vec<Node>]) -> Vec<Model>
         };
         for &by in seen.iter().filter(|by| book.graph.constant(**by).is_none()) {
             for (factor, what) in factors {
-                let what = format!("the derivative of {whole} by {} {what}", words.name(by));
+                let what = format!("the derivative of {whole} with respect to {} {what}", words.name(by));
                 all.push(link(Some(by), Times::Number(factor), what));
             }
         }
@@ -382,7 +382,7 @@ fn links(book: &Textbook, words: &Words<'_>, groups: &[Vec<Node>]) -> Vec<Model>
                 all.push(link(
                     Some(*y),
                     Times::Result(*y, 1),
-                    format!("the derivative of {whole} by {by} is not divided by its square"),
+                    format!("the derivative of {whole} with respect to {by} is not divided by its square"),
                 ));
                 all.push(link(None, Times::Result(*y, 1), format!("the derivative of {whole} is not divided by {by}")));
             }
@@ -412,7 +412,10 @@ fn links(book: &Textbook, words: &Words<'_>, groups: &[Vec<Node>]) -> Vec<Model>
             let count = operands(&group[0]).len();
             for k in (0..count).filter(|_| count > 1) {
                 let by = words.name(operands(&group[0])[k]);
-                let what = format!("the derivative of {name} by {by} {what}, and so in all {} like it", group.len());
+                let what = format!(
+                    "the derivative of {name} with respect to {by} {what}, and so in all {} like it",
+                    group.len()
+                );
                 all.push(of_all(Some(k), factor, what));
             }
         }

@@ -31,7 +31,7 @@ pub(super) fn exchanges(evidence: &Evidence<'_>) -> Vec<(String, Places)> {
         exchanges.extend(blocks(inputs, outputs, &same, entry));
     }
     exchanges.extend(matrices(outputs, &same, n, has_jacobian));
-    for (what, fields, is_row) in [("outputs", outputs, true), ("derivatives by", inputs, false)] {
+    for (what, fields, is_row) in [("outputs", outputs, true), ("derivatives with respect to", inputs, false)] {
         if !is_row && !has_jacobian {
             continue;
         }

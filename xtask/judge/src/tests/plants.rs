@@ -117,7 +117,7 @@ pub(super) const PLANTS: &[(&str, &str, Wanted, Plant)] = &[
     ("a pair of a matrix", "universal.geometric_stiffness", Jacobian, After(|_, y| symmetrise_pair(y, 0, [0, 1]))),
     ("degrees", "element.euler_parameters", Jacobian, Before(|x| x[0] *= PI / 180.0)),
     (
-        "degrees, and derivatives by them",
+        "degrees, and derivatives with respect to them",
         "element.euler_parameters",
         Jacobian,
         Both(|x| x[0] *= PI / 180.0, |_, y| (0..4).for_each(|i| y[4 + 7 * i] *= PI / 180.0)),
@@ -129,7 +129,7 @@ pub(super) const PLANTS: &[(&str, &str, Wanted, Plant)] = &[
     ("components of an input", "slider.line", Jacobian, Before(|x| x.swap(3, 5))),
     ("inputs", "slot.friction", Jacobian, Before(|x| x.swap(0, 2))),
     (
-        "inputs, and derivatives by them",
+        "inputs, and derivatives with respect to them",
         "slot.friction",
         Jacobian,
         Both(|x| x.swap(0, 2), |_, y| (0..3).for_each(|i| y.swap(3 + 5 * i, 3 + 5 * i + 2))),

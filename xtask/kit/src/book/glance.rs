@@ -102,7 +102,7 @@ pub(crate) fn cite(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
         ("author", format!("{{{}}}", cited.authors)),
         ("year", cited.year.clone()),
         ("howpublished", format!("{book} {}", cited.version)),
-        ("url", address.clone()),
+        ("url", if cited.site.is_empty() { String::new() } else { address.clone() }),
         ("note", digest),
     ];
     let fields = fields.iter().filter(|(_, value)| !value.is_empty());
@@ -110,9 +110,9 @@ pub(crate) fn cite(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
         fields.fold(format!("@misc{{{id}"), |bib, (name, value)| format!("{bib},\n  {name} = {{{value}}}")) + "\n}";
     // The page itself is beside the others here; its address is where all versions are.
     format!(
-        "<details class=\"cite\"><summary>Cite this entry</summary><p>{}. Permanent address: \
-         <a href=\"{}\"><code>{}</code></a></p><pre><code class=\"nohighlight\">{}</code></pre></details>",
+        "<details class=\"cite\"><summary>Cite this entry</summary><p>{}. {}: <a href=\"{}\"><code>{}</code></a></p><pre><code class=\"nohighlight\">{}</code></pre></details>",
         escape(words.trim_end_matches(". ")),
+        if cited.site.is_empty() { "Address within the book" } else { "Permanent address" },
         escape(&relative(&at.page, &page)),
         escape(&address),
         escape(&bib)
@@ -200,7 +200,12 @@ mod tests {
                    url = {https://joints.test/v1.2.0/id/t.a.html}\n}";
         assert!(html.contains(bib) && html.contains("Formula t.a of joints 1.2.0 (2026)"), "{html}");
         let html = cited("", "");
-        assert!(html.contains("url = {id/t.a.html}") && !html.contains("year") && !html.contains("()"), "{html}");
+        // A relative path is no permanent address.
+        assert!(
+            html.contains("Address within the book: <a href=\"id/t.a.html\">") && !html.contains("ermanent"),
+            "{html}"
+        );
+        assert!(!html.contains("url = ") && !html.contains("year") && !html.contains("()"), "{html}");
     }
 
     #[test]

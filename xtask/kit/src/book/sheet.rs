@@ -17,20 +17,20 @@ const LISTS: [&str; 6] = ["residuals", "rows", "forces", "stiffness", "friction"
 const ORDER: &str = "Components are global. Forces, rows and matrices are in this order.";
 const VELOCITY: &str = "The acceleration equations are $\\mathbf{G}\\,\\ddot{\\mathbf{q}} = -\\boldsymbol{\\gamma}$ with \
     $\\gamma_k = \\dot{\\mathbf{q}}^T\\mathbf{K}_k\\,\\dot{\\mathbf{q}}$, where $\\mathbf{K}_k$ is the stiffness without friction for $\\lambda_k = 1$ and no other multiplier. \
-    Of rotations, $\\dot{\\mathbf{q}}$ has the angular velocities.";
+    For rotations, $\\dot{\\mathbf{q}}$ contains the angular velocities.";
 const INTERNAL: &str = "A program that assembles internal forces, as [CalculiX](references.md#calculix) does with its user elements, takes $-\\mathbf{f}$ and $-\\mathbf{K}$.";
-const ROWS: &str = "A row is the derivative of a residual with respect to the degrees of freedom. Where a node does not occur, its part is zero.";
+const ROWS: &str = "A row is the derivative of a residual with respect to the degrees of freedom. The entries of nodes that do not occur are zero.";
 const FORCES: &str = "The forces and moments act on the nodes. They are $\\mathbf{G}^T\\boldsymbol{\\lambda}$, with the rows in $\\mathbf{G}$";
 const STIFFNESS: &str = "The stiffness is the derivative of the forces and moments with respect to the degrees of freedom. \
-    $\\mathbf{K}_{p,q}$ has a row for each component of what acts on $p$, and a column for each component of the motion $q$.";
-const HELD_FIXED: &str = "The multipliers are held.";
+    $\\mathbf{K}_{p,q}$ has a row for each component of the action on $p$ and a column for each component of the motion $q$.";
+const HELD_FIXED: &str = "The multipliers are held constant.";
 const TANGENT: &str = "A friction force $R$ works against a motion $s$ of the connector: it adds $-R\\,\\partial s/\\partial\\mathbf{q}$ to the \
     forces on the nodes, the moment on the first node included. To the stiffness it adds two parts, and one to the derivative with respect to the multipliers:\n\n\
     {{#presentation every golden case and every audited point holds it}}\n\n$$\n\
     \\mathbf{K} \\mathrel{+}= -R\\,\\frac{\\partial^2 s}{\\partial\\mathbf{q}^2} - \\frac{\\partial s}{\\partial\\mathbf{q}}\\otimes\\frac{\\partial R}{\\partial\\mathbf{q}},\\qquad\
     \\frac{\\partial\\mathbf{f}}{\\partial\\boldsymbol{\\lambda}} \\mathrel{+}= -\\frac{\\partial s}{\\partial\\mathbf{q}}\\otimes\\frac{\\partial R}{\\partial\\boldsymbol{\\lambda}}\n$$\n\n\
     In stick $\\partial R/\\partial\\mathbf{q} = k_{\\mathrm{stick}}\\,\\partial s/\\partial\\mathbf{q}$ and $\\partial R/\\partial\\boldsymbol{\\lambda} = \\mathbf{0}$; in slip \
-    $R$ follows the limit, and both are $\\mu$ times the derivative of the normal force, with the sign of $R$. The first part is there in stick, too: the friction force turns with its node.";
+    $R$ follows the limit, and both are $\\mu$ times the derivative of the normal force, with the sign of $R$. The first part remains in stick: the friction force rotates with its node.";
 const ROTATIONS: &str = "The rotations above are spins, $\\delta\\mathbf{e} = \\delta\\boldsymbol{\\theta}\\times\\mathbf{e}$. With rotation vectors \
     $\\boldsymbol{\\psi}$ as unknowns, $\\delta\\boldsymbol{\\theta} = \\mathbf{T}\\,\\delta\\boldsymbol{\\psi}$: multiply the columns of the spin in the rows by $\\mathbf{T}$ from the right, \
     replace the moment $\\mathbf{m}$ by $\\mathbf{T}^T\\mathbf{m}$, and the block $\\mathbf{K}$ of two spins by $\\mathbf{T}^T\\mathbf{K}\\,\\mathbf{T}$, with $\\partial(\\mathbf{T}^T\\mathbf{m})/\\partial\\boldsymbol{\\psi}$ added to that of a node's own spin.";
@@ -38,7 +38,7 @@ const HELD: &str = "| | here | `UEL` of Abaqus |\n|---|---|---|\n\
     | forces on the nodes | $\\mathbf{f}$ | `RHS(1:n)` $= \\mathbf{f}$ |\n\
     | residuals | $\\mathbf{g}$ | `RHS(n+1:)` $= \\mathbf{g}$ |\n\
     | stiffness | $\\mathbf{K} = \\partial\\mathbf{f}/\\partial\\mathbf{q}$ | `AMATRX(1:n,1:n)` $= -\\mathbf{K}$ |\n\
-    | forces by multipliers | $\\partial\\mathbf{f}/\\partial\\boldsymbol{\\lambda}$, without friction $\\mathbf{G}^T$ | `AMATRX(1:n,n+1:)` $= -\\partial\\mathbf{f}/\\partial\\boldsymbol{\\lambda}$ |\n\
+    | derivative with respect to multipliers | $\\partial\\mathbf{f}/\\partial\\boldsymbol{\\lambda}$, without friction $\\mathbf{G}^T$ | `AMATRX(1:n,n+1:)` $= -\\partial\\mathbf{f}/\\partial\\boldsymbol{\\lambda}$ |\n\
     | rows | $\\mathbf{G} = \\partial\\mathbf{g}/\\partial\\mathbf{q}$ | `AMATRX(n+1:,1:n)` $= -\\mathbf{G}$ |\n";
 const FREE: &str = "| | here | `UEL` of Abaqus |\n|---|---|---|\n\
     | forces on the nodes | $\\mathbf{f}$ | `RHS` $= \\mathbf{f}$ |\n\
@@ -236,8 +236,8 @@ fn state(element: &dyn AnyElement) -> Option<String> {
     let found = Results::new(element, &results);
     let prefix = if rubs { "rubbing-" } else { "" };
     let mut text = format!(
-        "The case `{prefix}{id}` of the [golden file](golden/elements/{}.json), which has all digits. Given are {}. \
-         Blocks that are not printed are zero.\n\n",
+        "This is the case `{prefix}{id}` of the [golden file](golden/elements/{}.json), which has all digits. Inputs: {}. \
+         Blocks that are not shown are zero.\n\n",
         element.spec().id,
         numbers(element.inputs(rubs), &inputs).join("; ")
     );
@@ -251,7 +251,7 @@ fn state(element: &dyn AnyElement) -> Option<String> {
     );
     let all = [(String::new(), len(layout.residuals))];
     let rows = blocks(found.rows, &all, &motions, |_, q| format!(r"\mathbf{{G}}_{{,{q}}} = "));
-    line(if layout.multipliers.is_empty() { "Its derivative" } else { "Rows" }, &rows);
+    line(if layout.multipliers.is_empty() { "Derivative" } else { "Rows" }, &rows);
     line("Forces and moments on the nodes", &listed(layout.forces, found.forces));
     line("Stiffness", &stiffness);
     if !layout.multipliers.is_empty() {
@@ -259,7 +259,10 @@ fn state(element: &dyn AnyElement) -> Option<String> {
             let forces: Vec<_> = layout.forces.iter().map(|field| (field.quantity.latex.into(), field.len())).collect();
             let held = [(String::new(), len(layout.multipliers))];
             let by = |force: &str, _: &str| format!(r"\frac{{\partial {force}}}{{\partial\boldsymbol{{\lambda}}}} = ");
-            line("Forces by multipliers", &blocks(found.by_multipliers, &forces, &held, by));
+            line(
+                "Derivative of the forces with respect to the multipliers",
+                &blocks(found.by_multipliers, &forces, &held, by),
+            );
         }
         let velocities = velocities(len(layout.unknowns));
         let term = velocity_term(element, &inputs, &velocities, rubs)?;

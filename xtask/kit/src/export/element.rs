@@ -27,10 +27,10 @@ pub(super) fn described(layout: &Layout, rubs: bool) -> Vec<String> {
         let what = match output.name {
             "residuals" if multipliers.is_empty() => names(residuals),
             "residuals" => format!("{}, which the multipliers keep at 0", names(residuals)),
-            "rows" => format!("derivative of the residuals by {}", names(unknowns)),
+            "rows" => format!("derivative of the residuals with respect to {}", names(unknowns)),
             "forces" => format!("on the nodes: {}", names(forces)),
-            "stiffness" => "derivative of the forces by the same".to_owned(),
-            "by_multipliers" => format!("derivative of the forces by {}", names(multipliers)),
+            "stiffness" => "derivative of the forces with respect to the same".to_owned(),
+            "by_multipliers" => format!("derivative of the forces with respect to {}", names(multipliers)),
             _ => format!("{} after the step", names(state)),
         };
         let shape = match output.shape {

@@ -17,13 +17,13 @@ fn degrees(label: &'static str, to: f64, start: usize) -> Along {
 pub(super) fn cardan() -> Moving {
     moving(
         "cardan-moving",
-        &[degrees("α, about e1a", 60.0, 9), degrees("β, about the turned second axis", 84.0, 9)],
+        &[degrees("α, about e1a", 60.0, 9), degrees("β, about the rotated second axis", 84.0, 9)],
         |alpha, beta| {
             let (a, b) = (upright(), turned(alpha, beta, 25.0));
             let found = angles(a, b);
             let mut sketch = Sketch::new(
                 "cardan-moving",
-                "The triad of b, turned against that of a",
+                "The triad of b, rotated relative to that of a",
                 "Two triads with one origin: that of a in the colour of the text, that of b in another colour, turned by α about e1a, then by β \
              about the second axis, then by γ of 25 degrees about the third.",
                 View::space(120.0, [270.0, 160.0]),
@@ -119,8 +119,8 @@ pub(super) fn forces() -> Moving {
         let mut sketch = lying(
             "ujoint-moving",
             "The force on the cross of a UJOINT",
-            "The cross of a universal joint between two shafts, and a force at its centre with its parts along the arm e1a, along the arm e3b \
-             and across the cross.",
+            "The cross of a universal joint between two shafts, and a force at its centre with its components along the arm e1a, along the arm e3b \
+             and normal to the cross.",
         );
         joint(&mut sketch, a, b, [Ink::Thin; 2]);
         let force = e1a * f1 + e2a * 0.35 + e3a * f3;

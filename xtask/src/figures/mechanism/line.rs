@@ -26,8 +26,8 @@ pub(super) fn slider() -> Moving {
         let mut sketch = Sketch::new(
             "slider-moving",
             "The mechanism of SLIDER",
-            "A straight line through node 1 and node n, and node m on it. Two directions across the line, t1 and t2, stand at node m; in them m is \
-             held, along the line it is free. Dashed lines show the coordinates of m.",
+            "A straight line through node 1 and node n, and node m on it. Two directions normal to the line, t1 and t2, begin at node m; in them m is \
+             constrained, along the line it is free. Dashed lines show the coordinates of m.",
             View::space(118.0, [110.0, 210.0]),
         );
         let beyond = |share: f64| x1 + (xn - x1) * share;
@@ -60,7 +60,7 @@ pub(super) fn slider() -> Moving {
 
 /// The smoothed corner of a slide line, and the closest point of a slave node that passes it.
 pub(super) fn smoothed() -> Moving {
-    let place = Along { label: "place of the slave node", unit: "", from: 0.4, to: 5.6, steps: 26, start: 12 };
+    let place = Along { label: "position of the slave node", unit: "", from: 0.4, to: 5.6, steps: 26, start: 12 };
     let fraction =
         Along { label: "smoothed part f of each segment", unit: "", from: 0.05, to: 0.5, steps: 9, start: 3 };
     moving("slide-line-moving", &[place, fraction], |x, f| {

@@ -17,12 +17,12 @@ fn turned_about_third(degrees: f64) -> [Point; 3] {
 }
 
 fn turn_of_a() -> Along {
-    Along { label: "turn of node a", unit: "°", from: -20.0, to: 12.0, steps: 8, start: 5 }
+    Along { label: "rotation of node a", unit: "°", from: -20.0, to: 12.0, steps: 8, start: 5 }
 }
 
 /// JOIN: b keeps its position in the triad of a, and rotates freely.
 pub(super) fn join() -> Moving {
-    let turn_of_b = Along { label: "turn of node b", unit: "°", from: -60.0, to: 60.0, steps: 12, start: 8 };
+    let turn_of_b = Along { label: "rotation of node b", unit: "°", from: -60.0, to: 60.0, steps: 12, start: 8 };
     moving("join-moving", &[turn_of_a(), turn_of_b], |of_a, of_b| {
         let [e1a, e2a, e3a] = turned_about_third(of_a);
         let d0 = Vector3::new(1.9, 0.7, 0.25);
@@ -54,7 +54,7 @@ pub(super) fn join() -> Moving {
 
 /// ALIGN: b keeps its orientation in the triad of a, and translates freely.
 pub(super) fn align() -> Moving {
-    let place = Along { label: "place of node b", unit: "", from: 1.2, to: 3.0, steps: 9, start: 5 };
+    let place = Along { label: "position of node b", unit: "", from: 1.2, to: 3.0, steps: 9, start: 5 };
     moving("align-moving", &[turn_of_a(), place], |of_a, place| {
         let a = turned_about_third(of_a);
         // Initially aligned: b has the triad of a.

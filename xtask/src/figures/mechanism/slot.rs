@@ -18,8 +18,8 @@ const FORCES: [f64; 2] = [0.8, 0.6];
 
 /// Node b in the slot of node a; a rotates, b slides.
 pub(super) fn slot(name: &'static str) -> Moving {
-    let along = Along { label: "x, place of b along the slot", unit: "", from: 0.4, to: 3.0, steps: 13, start: 8 };
-    let turn = Along { label: "turn of node a", unit: "°", from: -16.0, to: 16.0, steps: 8, start: 4 };
+    let along = Along { label: "x, position of b along the slot", unit: "", from: 0.4, to: 3.0, steps: 13, start: 8 };
+    let turn = Along { label: "rotation of node a", unit: "°", from: -16.0, to: 16.0, steps: 8, start: 4 };
     moving(name, &[along, turn], |x, degrees| {
         let turn = Rotation3::new(Vector3::z() * degrees.to_radians());
         let [e1a, e2a, e3a] = [Vector3::x(), Vector3::y(), Vector3::z()].map(|axis| turn * axis);

@@ -98,7 +98,7 @@ fn friction() -> Vec<Statement> {
             .outputs(&["hinge/CSM1"]),
         covered("friction-2", "Φ = P − μ M_N; P is the moment of the tangential tractions, M_N the normal moment.")
             .formulas(&[&hinge::Friction, &coulomb::Yield])
-            .cases(&hinge::Friction, &["stick", "slip"])
+            .cases(&hinge::Friction, &["running", "slip"])
             .law(&hinge::Friction, "at the friction moment")
             .method(Hinge::friction)
             .outputs(&["hinge/P", "hinge/MN", "hinge/PHI"]),
@@ -107,7 +107,7 @@ fn friction() -> Vec<Statement> {
             .cases(&hinge::Friction, &["press-fit"]),
         covered("friction-4", "The contact moment is made of the axial force at R_a, the force across the pin at R_p, and bending over L_s.")
             .formulas(&[&hinge::ContactMoment])
-            .cases(&hinge::ContactMoment, &["all", "no-arm", "no-overlap"])
+            .cases(&hinge::ContactMoment, &["running", "no-arm", "no-overlap"])
             .law(&hinge::ContactMoment, "a couple of forces at both ends")
             .outputs(&["hinge/MC"]),
     ]

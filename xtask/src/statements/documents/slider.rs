@@ -100,7 +100,7 @@ fn derivative() -> Vec<Statement> {
             .law(&slider::DirectionVariation, "it is the derivative of the line")
             .cases(&slider::DirectionVariation, &["along-x"]),
         covered("e13", "So do the products with dn.")
-            .law(&slider::BasisVariation, "the directions stay across the line")
+            .law(&slider::BasisVariation, "the directions remain normal to the line")
             .chapter("slider.md#variations"),
         covered("e14", "The incremental conditions.")
             .formulas(&[&slider::IncrementalConstraint])

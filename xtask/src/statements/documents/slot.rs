@@ -34,7 +34,7 @@ fn position() -> Vec<Statement> {
         covered("L5-s1", "In space b cannot move along e3a, normal to the slot.")
             .formulas(&[&slot::Constraint])
             .law(&slot::Constraint, "moving b along the slot")
-            .cases(&slot::Constraint, &["off-the-slot"])
+            .cases(&slot::Constraint, &["running"])
             .outputs(&["slot@3d/GZ"]),
         covered("L5-s2", "If b is free in the normal direction, use SLIDE-PLANE.").chapter("slot.md#neighbours"),
         outside("L7-14", "Cross references.", "refers to other pages"),
@@ -67,7 +67,7 @@ fn position() -> Vec<Statement> {
         covered("L32", "The constraint force is f2 e2a + f3 e3a.")
             .formulas(&[&slot::ConstraintForce])
             .law(&slot::Constraint, "the constraint force is Jacobianᵀ")
-            .cases(&slot::ConstraintForce, &["axes"])
+            .cases(&slot::ConstraintForce, &["running"])
             .method(Slot::constraint_force)
             .outputs(&["slot/RF"]),
         covered("L34", "In the plane f3 = 0.")
@@ -82,7 +82,7 @@ fn position() -> Vec<Statement> {
             .chapter("slot.md#position-in-the-slot"),
         covered("L36-s2", "The relative position is the distance along e1a, x = e1a·(xb − xa), with its sign.")
             .formulas(&[&slot::RelativePosition])
-            .cases(&slot::RelativePosition, &["axes", "quarter-turn"])
+            .cases(&slot::RelativePosition, &["running", "quarter-turn"])
             .method(Slot::relative_position)
             .outputs(&["slot/X"]),
         covered("L40", "The available component is u1 = x − x0.")
@@ -137,14 +137,14 @@ fn friction() -> Vec<Statement> {
             .chapter("coulomb.md#stick-and-slip"),
         covered("L62", "FN = |FC + FCint|: the contact force, and one that is in equilibrium with itself.")
             .formulas(&[&slot::NormalForce])
-            .cases(&slot::NormalForce, &["press-fit", "tension"])
+            .cases(&slot::NormalForce, &["running", "tension"])
             .method(Slot::with_friction)
             .outputs(&["slot/FN"])
             .erratum("two-normal-forces"),
         mended("L66", "FC is the root of f2² + f3²; the root is lost in our text.", "lost-roots")
             .formulas(&[&slot::ContactForce])
             .law(&slot::ContactForce, "turning the slot about its axis")
-            .cases(&slot::ContactForce, &["pythagoras"])
+            .cases(&slot::ContactForce, &["running"])
             .outputs(&["slot/FC"]),
         covered("L70", "P = |f1|.")
             .formulas(&[&slot::Friction])

@@ -71,7 +71,7 @@ fn friction() -> Vec<Statement> {
             .erratum("lost-sign"),
         covered("L30", "The meaning of P, FN and μ; stick if Φ < 0, slip if Φ = 0, with the force μFN.")
             .formulas(&[&translator::Friction, &coulomb::ReturnMap])
-            .cases(&translator::Friction, &["stick", "slip"])
+            .cases(&translator::Friction, &["running", "slip"])
             .outputs(&["translator/P", "translator/FN", "translator/PHI", "translator/CSF1", "translator/SLIP1"])
             .test("scene_friction::random_histories_agree_with_themselves")
             .test("scene_friction::golden_scenes_agree_with_themselves")
@@ -104,7 +104,7 @@ fn friction() -> Vec<Statement> {
         mended("L51", "Mbend is the root of m2² + m3²; Fbend = 2 Mbend over L.", "lost-roots")
             .formulas(&[&translator::BendingForce])
             .law(&translator::BendingForce, "two opposite forces")
-            .cases(&translator::BendingForce, &["couple"])
+            .cases(&translator::BendingForce, &["running"])
             .outputs(&["translator/MBEND", "translator/FBEND"])
             .erratum("lost-quotients"),
         covered("L56", "L is the overlap along the slot; if it is 0, bending is omitted.")
@@ -114,7 +114,7 @@ fn friction() -> Vec<Statement> {
         covered("L60", "FC = |m1/Rr| + the root of f2² + f3² + the root of (βm2)² + (βm3)².")
             .formulas(&[&translator::ContactForce])
             .law(&translator::ContactForce, "without moments")
-            .cases(&translator::ContactForce, &["all", "slot"])
+            .cases(&translator::ContactForce, &["running", "slot"])
             .outputs(&["translator/FC"]),
         mended("L62", "β = 2/L; β is also the letter of an angle.", "two-meanings-of-beta")
             .formulas(&[&translator::BendingForce, &translator::ContactForce]),

@@ -46,7 +46,7 @@ class Plot:
 
 
 def plot(formula: "str | Formula", output: str, along: str, between: tuple[float, float], **inputs: "ArrayLike") -> Plot:
-    """An output, and its derivative by the input ``along``, which goes from the first to the second of ``between``; the other
+    """An output, and its derivative with respect to the input ``along``, which goes from the first to the second of ``between``; the other
     inputs stay as they are given. Lines are broken where the derivative jumps."""
     from . import find
 
@@ -62,7 +62,7 @@ def plot(formula: "str | Formula", output: str, along: str, between: tuple[float
     jumps = _jumps(slope)
     panels = [(output, y, []), (f"∂{output}/∂{along}", slope, jumps)]
     height = _TOP + 2 * _HEIGHT + _BETWEEN + _BELOW
-    title = f"{output} of {formula.id} and its derivative by {along}"
+    title = f"{output} of {formula.id} and its derivative with respect to {along}"
     parts = [
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {_WIDTH} {height}" role="img" aria-label="{title}">',
         "<style>text{font:13px sans-serif;fill:#222}.axis{stroke:#888;fill:none}"

@@ -1,7 +1,7 @@
 //! Evidence for the formula of the parent module: cases, kinks, laws.
 
 use super::{AxialForces, HingeAxial};
-use crate::connector::ujoint::running::{LA, PARTS, RP, RUNNING};
+use crate::connector::ujoint::running::{LA, PARTS, RP};
 use crate::formula::Formula;
 use crate::formula::proof::{Case, Kink, Law, Proved, hard, law};
 use crate::number::scalar::abs;
@@ -11,8 +11,7 @@ impl Proved for HingeAxial {
         let hand = AxialForces { f_axial1: -20.0, f_axial3: 10.0, la: 2.0, rp: 1.0 };
         let [f_axial1, f_axial3, _] = PARTS;
         let mut cases = vec![
-            Case::hand(
-                RUNNING,
+            Case::running(
                 "0.35 × 4.4, 0.35 × 17.5, 0.15 × 17.5, 0.15 × 4.4",
                 AxialForces { f_axial1, f_axial3, la: LA, rp: RP },
             ),

@@ -2,7 +2,7 @@
 
 use super::{Bending, HingeBending};
 use crate::connector::ujoint::hinge::HingeTwist;
-use crate::connector::ujoint::running::{LA, LS, M2, PARTS, RP, RUNNING};
+use crate::connector::ujoint::running::{LA, LS, M2, PARTS, RP};
 use crate::formula::Formula;
 use crate::formula::proof::{Case, Kink, Law, Proved, hard, law};
 
@@ -10,8 +10,7 @@ impl Proved for HingeBending {
     fn cases() -> Vec<Case<Bending<f64>>> {
         let hand = Bending { f_bend: -8.0, m2: 304.0, la: 44.0, rp: 20.0 / 3.0, ls: 11.0 };
         let mut cases = vec![
-            Case::hand(
-                RUNNING,
+            Case::running(
                 "8 × 2.1/8, √(2.1² + 2.8²), 2 × 3.5/2",
                 Bending { f_bend: PARTS[2], m2: M2, la: LA, rp: RP, ls: LS },
             ),

@@ -1,7 +1,7 @@
 //! Evidence for the formula of the parent module: cases, kinks, laws.
 
 use super::{CentreLoads, HingeTransverse};
-use crate::connector::ujoint::running::{LA, M2, PARTS, RP, RUNNING};
+use crate::connector::ujoint::running::{LA, M2, PARTS, RP};
 use crate::formula::proof::{Case, Kink, Law, Proved, hard, law};
 use crate::formula::{Fields, Formula};
 
@@ -10,8 +10,7 @@ impl Proved for HingeTransverse {
         let hand = CentreLoads { f_axial1: 80.0, f_axial3: -20.0, f_bend: 16.0, m2: 0.0, la: 2.0, rp: 1.0 };
         let [f_axial1, f_axial3, f_bend] = PARTS;
         let mut cases = vec![
-            Case::hand(
-                RUNNING,
+            Case::running(
                 "√(2² + 8.4² + 2.625²), √(2² + 8.4² + 0.66²)",
                 CentreLoads { f_axial1, f_axial3, f_bend, m2: M2, la: LA, rp: RP },
             ),

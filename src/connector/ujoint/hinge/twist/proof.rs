@@ -1,7 +1,7 @@
 //! Evidence for the formula of the parent module: cases, kinks, laws.
 
 use super::{HingeTwist, Twist, TwistLoads};
-use crate::connector::ujoint::running::{LA, M2, RP, RUNNING};
+use crate::connector::ujoint::running::{LA, M2, RP};
 use crate::formula::Formula;
 use crate::formula::proof::{Case, Kink, Law, Proved, hard, law};
 use crate::number::scalar::abs;
@@ -10,7 +10,7 @@ impl Proved for HingeTwist {
     fn cases() -> Vec<Case<Twist<f64>>> {
         let hand = Twist { m2: -304.0, la: 33.0, rp: 5.0 };
         let mut cases = vec![
-            Case::hand(RUNNING, "α = 5/106, β = 63/212: 2.8, 17.64/2.1", Twist { m2: M2, la: LA, rp: RP }),
+            Case::running("α = 5/106, β = 63/212: 2.8, 17.64/2.1", Twist { m2: M2, la: LA, rp: RP }),
             Case::hand("lambda-6.6", "α = 33/304, β = 109/304: M = 33, F = 109/33", hand),
             Case::limit("stubby", "λ → 0: no moment, a quarter of |m2|/La", Twist { m2: 8.0, la: 1e-9, rp: 1.0 }),
             Case::limit("long", "λ → ∞: |m2|/8, 3/8 of |m2|/La", Twist { m2: 8.0, la: 1e9, rp: 1.0 }),

@@ -3,6 +3,7 @@
 use super::{ClosestLinear, LinearSlave};
 use crate::Octuple;
 use crate::contact::slide_line::closest::evidence;
+use crate::contact::slide_line::running::{LINE, SLAVE};
 use crate::contact::slide_line::{LinearPlace, LinearPoint, left, length};
 use crate::formula::proof::{Case, Kink, Law, Proved, hard, law};
 use crate::formula::{Fields, Formula};
@@ -35,6 +36,7 @@ impl Proved for ClosestLinear {
                 "the far node must not blur the foot",
                 on([1e-9, 2e-9], [-3.0, -4.0], [0.0, 0.0]),
             ),
+            Case::running("(2.8, 2.4) is nearest", LinearSlave { xs: SLAVE.0, x1: LINE[0], x2: LINE[1] }),
         ];
         let places = hard::places().into_iter().filter(|place| place.id != "coincident");
         cases.extend(places.map(|place| {

@@ -4,6 +4,7 @@ use super::{ClosestParabolic, ParabolicSlave};
 use crate::Octuple;
 use crate::contact::slide_line::closest::{Foot, evidence};
 use crate::contact::slide_line::points::proof::{arch, parabolas, quarter_point};
+use crate::contact::slide_line::running::{AT_PARABOLA, PARABOLA};
 use crate::contact::slide_line::{ClosestLinear, LinearSlave, ParabolicPlace, ParabolicPoint, left, length};
 use crate::formula::proof::{Case, Kink, Law, Proved, law};
 use crate::formula::{Fields, Formula};
@@ -38,6 +39,10 @@ impl Proved for ClosestParabolic {
             Case::hard("far-slave", "the slave point 1e10 away", in_bowl(2.5, -1e10)),
             Case::hard("near-slave", "the slave point 1e-12 away", in_bowl(2.5, 0.25 + 1e-12)),
             Case::hard("inside-last", "1e-8 before the last node", in_bowl(5.0 - 1e-8, 0.0)),
+            {
+                let ([x1, x2, x3], (xs, _)) = (PARABOLA, AT_PARABOLA);
+                Case::running("(4.375, 1.875) is nearest", ParabolicSlave { xs, x1, x2, x3 })
+            },
         ];
         let slave = |[x1, x2, x3]: [Vector2<f64>; 3], along: f64, across: f64| {
             let chord = x3 - x1;
@@ -81,7 +86,7 @@ impl Proved for ClosestParabolic {
         let [x1, x2, _] = arch(1.0);
         let folded = [[1.0, 1.0], [4.0, 4.0], [5.0, 5.0]].map(Vector2::from);
         vec![
-            Case::invalid("coincident", "two nodes at one place", at([1.0, 3.0], [x1, x2, x2])),
+            Case::invalid("coincident", "two nodes coincide", at([1.0, 3.0], [x1, x2, x2])),
             Case::invalid("quarter-point-end", "foot where X' = 0", at([0.0, 1.0], quarter_point())),
             Case::invalid(
                 "folded",

@@ -4,6 +4,7 @@ use super::{ClosestSmoothedLinear, LinearCornerSlave};
 use crate::Octuple;
 use crate::contact::slide_line::closest::{Foot, evidence};
 use crate::contact::slide_line::corners::proof::linear_corners;
+use crate::contact::slide_line::running::{AT_CORNER, LINE};
 use crate::contact::slide_line::{ClosestLinear, LinearCornerPlace, LinearSlave, SmoothedLinearPoint, left, length};
 use crate::formula::proof::{Case, Kink, Law, Proved, law};
 use crate::formula::{Fields, Formula};
@@ -21,7 +22,10 @@ impl Proved for ClosestSmoothedLinear {
 
     fn cases() -> Vec<Case<LinearCornerSlave<f64>>> {
         let mut cases =
-            vec![Case::hand("open", "the corner is z = r² + 1/4: foot (0, 0.25) at t = 1/2", at_corner(0.0, 0.5))];
+            vec![Case::hand("open", "the corner is z = r² + 1/4: foot (0, 0.25) at t = 1/2", at_corner(0.0, 0.5)), {
+                let ([x1, x2, x3], (xs, f, _)) = (LINE, AT_CORNER);
+                Case::running("(4.1, 3.9) is nearest", LinearCornerSlave { xs, x1, x2, x3, f })
+            }];
         cases.extend(evidence::cases(at_corner));
         cases.extend([
             Case::hand("default", "the default fraction 0.2", LinearCornerSlave { f: 0.2, ..at_corner(0.125, 0.125) }),
@@ -46,7 +50,7 @@ impl Proved for ClosestSmoothedLinear {
             f: 0.25,
         };
         vec![
-            Case::invalid("coincident", "two nodes at one place", at([0.0, 1.0], [[1.0, 0.0], [2.0, 0.0], [2.0, 0.0]])),
+            Case::invalid("coincident", "two nodes coincide", at([0.0, 1.0], [[1.0, 0.0], [2.0, 0.0], [2.0, 0.0]])),
             Case::invalid(
                 "folded",
                 "the line turns straight back",

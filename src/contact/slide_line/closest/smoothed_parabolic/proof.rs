@@ -4,6 +4,7 @@ use super::{ClosestSmoothedParabolic, ParabolicCornerSlave};
 use crate::Octuple;
 use crate::contact::slide_line::closest::{Foot, evidence};
 use crate::contact::slide_line::corners::proof::{curved_corner, parabolic_corners};
+use crate::contact::slide_line::running::{AT_CORNER, LINE, MIDSIDE};
 use crate::contact::slide_line::{
     ClosestSmoothedLinear, LinearCornerSlave, ParabolicCornerPlace, SmoothedParabolicPoint, left, length,
 };
@@ -23,8 +24,13 @@ impl Proved for ClosestSmoothedParabolic {
     }
 
     fn cases() -> Vec<Case<ParabolicCornerSlave<f64>>> {
-        let mut cases =
-            vec![Case::hand("open", "straight segments, z = r² + 1/4: foot (0, 0.25) at t = 1/2", at_corner(0.0, 0.5))];
+        let mut cases = vec![
+            Case::hand("open", "straight segments, z = r² + 1/4: foot (0, 0.25) at t = 1/2", at_corner(0.0, 0.5)),
+            {
+                let ([x1, x3, x5], [x2, x4], (xs, f, _)) = (LINE, MIDSIDE, AT_CORNER);
+                Case::running("the same corner", ParabolicCornerSlave { xs, x1, x2, x3, x4, x5, f })
+            },
+        ];
         cases.extend(evidence::cases(at_corner));
         let beside = |[x1, x2, x3, x4, x5]: [Vector2<f64>; 5], f, t| {
             let on = SmoothedParabolicPoint::eval(&ParabolicCornerPlace { x1, x2, x3, x4, x5, f, t });
@@ -53,7 +59,7 @@ impl Proved for ClosestSmoothedParabolic {
         };
         let on_axis = |r: [f64; 5]| r.map(|r| [r, 0.0]);
         vec![
-            Case::invalid("coincident", "two nodes at one place", at([0.0, 1.0], on_axis([1.0, 2.0, 3.0, 3.0, 4.0]))),
+            Case::invalid("coincident", "two nodes coincide", at([0.0, 1.0], on_axis([1.0, 2.0, 3.0, 3.0, 4.0]))),
             Case::invalid("folded", "the line turns straight back", at([9.0, 0.0], on_axis([1.0, 2.0, 3.0, 2.0, 1.0]))),
         ]
     }

@@ -33,14 +33,14 @@ fn curved_places() -> Vec<Case<ParabolicPlace<f64>>> {
 /// A point on a segment of zero length.
 fn no_segment() -> Case<LinearPlace<f64>> {
     let x = Vector2::new(1.0, 2.0);
-    Case::invalid("coincident", "both nodes at one place", LinearPlace { x1: x, x2: x, g: 0.0 })
+    Case::invalid("coincident", "both nodes coincide", LinearPlace { x1: x, x2: x, g: 0.0 })
 }
 
 /// Points on parabolas without a tangent there.
 fn no_parabola() -> [Case<ParabolicPlace<f64>>; 2] {
     let [x1, x2, x3] = [[1.0, 2.0], [2.0, 4.0], [5.0, 10.0]].map(Vector2::from);
     [
-        Case::invalid("coincident", "two nodes at one place", ParabolicPlace { x1, x2: x1, x3, g: 0.5 }),
+        Case::invalid("coincident", "two nodes coincide", ParabolicPlace { x1, x2: x1, x3, g: 0.5 }),
         Case::invalid("quarter-point-end", "X' = 0", ParabolicPlace { x1, x2, x3, g: -1.0 }),
     ]
 }

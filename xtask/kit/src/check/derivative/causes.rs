@@ -45,9 +45,7 @@ fn whole(all: &[Compared], [value, input, name]: [&str; 3]) -> Option<String> {
     let matrix = name.trim_start_matches('-');
     if explains(all, |one, r, c| -one.exact.at(r, c)) {
         let sign = if name.starts_with('-') { "plus" } else { "minus" };
-        return Some(format!(
-            "the sign is turned: {matrix} is {sign} the derivative of {value} with respect to {input}"
-        ));
+        return Some(format!("wrong sign: {matrix} is {sign} the derivative of {value} with respect to {input}"));
     }
     if explains(all, |_, _, _| 0.0) {
         return Some(format!("{matrix} is 0 throughout"));
@@ -60,7 +58,7 @@ fn whole(all: &[Compared], [value, input, name]: [&str; 3]) -> Option<String> {
     }
     let forms: [(&str, Form); 9] = [
         ("is transposed: its rows are columns", |d, r, c| d.at(c, r)),
-        ("is transposed, and its sign turned", |d, r, c| -d.at(c, r)),
+        ("is transposed, and its sign reversed", |d, r, c| -d.at(c, r)),
         ("is symmetrised: half of the sum of the derivative and its transpose", |d, r, c| {
             f64::midpoint(d.at(r, c), d.at(c, r))
         }),
@@ -130,11 +128,11 @@ fn rotations(all: &[Compared], matrix: &str, by: Turning) -> Option<String> {
     let is_otherwise = explains(all, |one, r, c| one.otherwise.as_ref().unwrap_or(&one.exact).at(r, c));
     is_otherwise.then(|| match by {
         Turning::Spin => format!(
-            "rotation vector for spin: {matrix} is the derivative by the components of rotation vectors, and a program that \
-             compounds rotations, as Abaqus does, needs that by spins"
+            "rotation vector for spin: {matrix} is the derivative with respect to the components of rotation vectors, and a program that \
+             compounds rotations, as Abaqus does, needs that with respect to spins"
         ),
         Turning::Vector => {
-            format!("spin for rotation vector: {matrix} is the derivative by spins, and not by the components of rotation vectors")
+            format!("spin for rotation vector: {matrix} is the derivative with respect to spins, and not to the components of rotation vectors")
         }
     })
 }
@@ -218,7 +216,7 @@ fn parts(all: &[Compared], [value, input, name]: [&str; 3]) -> Option<String> {
         return Some(format!("missing: {matrix}{place} is 0, and {value} depends on {input} there"));
     }
     if by(-1.0) {
-        return Some(format!("the sign is turned of {matrix}{place}"));
+        return Some(format!("wrong sign: {matrix}{place}"));
     }
     if let Some(factor) = factor(all, is_wrong).filter(|&factor| by(factor)) {
         return Some(format!("{matrix}{place} is {}", times(factor)));

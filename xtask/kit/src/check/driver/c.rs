@@ -45,7 +45,7 @@ fn body(driver: &Driver) -> String {
     names.extend(driver.with_jacobian.then(|| "jacobian".to_owned()));
     let unused: Vec<_> = names.iter().map(|name| format!("    (void){name};\n")).collect();
     let unused = unused.concat();
-    let derivative = driver.if_jacobian(", and jacobian[i][j] to the derivative of output i by input j");
+    let derivative = driver.if_jacobian(", and jacobian[i][j] to the derivative of output i with respect to input j");
     let set: Vec<_> = outputs.iter().map(name).collect();
     format!("    /* Set {}{derivative}. */\n{unused}    return 1;\n", set.join(", "))
 }

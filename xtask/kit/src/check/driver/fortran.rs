@@ -42,7 +42,7 @@ pub(super) fn text(driver: &Driver) -> String {
         }));
     }
     if driver.with_jacobian {
-        text += "        ! jacobian(i, j) is the derivative of output i by input j.\n";
+        text += "        ! jacobian(i, j) is the derivative of output i with respect to input j.\n";
         text += "        real(dp), intent(out) :: jacobian(outputs, inputs)\n";
     }
     text += "        logical, intent(out) :: refused\n";

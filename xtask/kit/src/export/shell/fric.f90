@@ -3,8 +3,8 @@
 ! PROPS    1       friction coefficient
 !          2       stiffness while it sticks: shear traction per slip
 ! TAU      the shear tractions of the last increment, then of this one; they are the state, and nothing is in STATEV
-! DDTDDG   their derivative by the slip increments
-! DDTDDP   their derivative by the pressure, which makes the matrix of the whole model unsymmetric while it slips
+! DDTDDG   their derivative with respect to the slip increments
+! DDTDDP   their derivative with respect to the pressure, which makes the matrix of the whole model unsymmetric while it slips
 ! NFDIR    one direction or two
 !
 ! Put together from formulas that jointproof proves; free of conditions (CC0-1.0). Compile with -ffp-contract=off.

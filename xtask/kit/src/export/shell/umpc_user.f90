@@ -47,7 +47,7 @@ subroutine umpc_user(x, u, f, a, jdof, n, force, iit, idiscon)
     else
         code = jp_slider_eliminate_jacobian(x1, xn, xm, found(1), found(2), slope)
     end if
-    if (code /= 0) error stop 'umpc_user: nodes 1 and n are at one place'
+    if (code /= 0) error stop 'umpc_user: nodes 1 and n coincide'
     f = x(eliminated, 1) + u(eliminated, 1) - found(row)
     a(1:n) = [1.0_dp, -slope(row, 2 * dim + 1), -slope(row, :2 * dim)]
     jdof(1:n) = [eliminated, kept, (k, k=1, dim), (k, k=1, dim)]

@@ -11,8 +11,9 @@ from ._function import components, full, in_one_library
 
 
 class Contribution(NamedTuple):
-    """What an element gives: ``residuals``, whose derivatives by the unknowns are ``rows``; ``forces`` on the nodes, whose derivatives
-    are ``stiffness`` by the unknowns and ``by_multipliers`` by the multipliers; with friction the state ``after`` the step.
+    """What an element gives: ``residuals``, whose derivatives with respect to the unknowns are ``rows``; ``forces`` on the nodes,
+    whose derivatives with respect to the unknowns are ``stiffness`` and with respect to the multipliers ``by_multipliers``; with
+    friction the state ``after`` the step.
 
     ``residual`` and ``matrix`` are those of Newton's method for the unknowns and the multipliers: forces and residuals in one vector, and
     its derivative. Residuals that no multiplier keeps at 0 are not in them."""

@@ -16,7 +16,7 @@ fn check_case(formula: &'static dyn AnyFormula, case: &str, shown: &Shown) -> Re
 
 /// The same for f₂ = 3, f₃ = 4, whose value is 5 and whose derivatives are 0.6 and 0.8.
 fn of_contact(shown: &Shown) -> Checked {
-    check_case(&slot::ContactForce, "pythagoras", shown).unwrap()
+    check_case(&slot::ContactForce, "running", shown).unwrap()
 }
 
 fn numbers(numbers: &[&str]) -> Shown {
@@ -48,13 +48,13 @@ fn the_numbers_of_rust_are_well_and_others_are_named() {
     assert_eq!((checked.chosen, checked.off), (0, vec![]));
     let off = of_contact(&numbers(&["5", "0.6", "0.75"]));
     assert_eq!((off.numbers, off.differ), (3, 1));
-    assert_eq!(off.off[0], "slot.contact_force, case pythagoras: ∂fc/∂f3: 7.5e-1, expected 8e-1");
-    assert!(off.off[1].starts_with("slot.contact_force, case pythagoras: ∂fc/∂f3: η = "), "{:?}", off.off);
+    assert_eq!(off.off[0], "slot.contact_force, case running: ∂fc/∂f3: 7.5e-1, expected 8e-1");
+    assert!(off.off[1].starts_with("slot.contact_force, case running: ∂fc/∂f3: η = "), "{:?}", off.off);
     assert_eq!(off.off.len(), 2, "{:?}", off.off);
     let few = of_contact(&numbers(&["5", "0.6"]));
-    assert_eq!(few.off, ["slot.contact_force, case pythagoras: it shows 2 of 3 numbers"]);
+    assert_eq!(few.off, ["slot.contact_force, case running: it shows 2 of 3 numbers"]);
     assert_eq!(few.numbers, 0);
-    let error = check_case(&slot::ContactForce, "pythagoras", &numbers(&["5", "x", "0.8"])).err().unwrap();
+    let error = check_case(&slot::ContactForce, "running", &numbers(&["5", "x", "0.8"])).err().unwrap();
     assert_eq!(error.to_string(), "\"x\" is no number");
 }
 
@@ -66,7 +66,7 @@ fn a_case_from_the_menu_fills_the_fields_and_gives_the_same() {
         assert_eq!(checked.chosen, 1);
         checked.off
     };
-    let off = ["slot.contact_force, case pythagoras: chosen from the menu, it shows something else"];
+    let off = ["slot.contact_force, case running: chosen from the menu, it shows something else"];
     assert!(chosen(["3", "4.0"], true).is_empty());
     assert_eq!(chosen(["3", "4"], false), off);
     assert_eq!(chosen(["3", "5"], true), off);
@@ -77,7 +77,7 @@ fn a_case_from_the_menu_fills_the_fields_and_gives_the_same() {
 #[test]
 fn what_is_valid_may_not_be_refused() {
     let off = of_contact(&refusal("too long")).off;
-    assert_eq!(off, ["slot.contact_force, case pythagoras: it refuses what is valid: too long"]);
+    assert_eq!(off, ["slot.contact_force, case running: it refuses what is valid: too long"]);
 }
 
 #[test]

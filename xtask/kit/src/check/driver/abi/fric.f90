@@ -4,7 +4,7 @@
 ! DDTDDG and DDTDDP come in as the last call left them, and other points are asked for in between.
 ! A routine that sticks by LM = 1 need not set anything else while it sticks; TAULM is then the trial traction. DSLIP may
 ! stay as it is; where it is set it is the slip that is not elastic. PNEWDT < 1 refuses a point.
-! FRIC is not asked for the derivative by the coefficient.
+! FRIC is not asked for the derivative with respect to the coefficient.
 ---
 module driver_call
     use driver_checks

@@ -2,7 +2,7 @@
 ! {internal}
 ! PROPS are {props}.
 ! SVARS are {svars}. U of a rotation is a rotation vector of the whole rotation; a step adds a spin that follows it.
-! RHS is what the element exerts on its nodes{residuals}; AMATRX is minus its derivative by U, with spins for rotations.
+! RHS is what the element exerts on its nodes{residuals}; AMATRX is minus its derivative with respect to U (spins for rotations).
 ! RHS and AMATRX are 0 at first. An iteration elsewhere comes before each. LFLAGS(3) is 1, then 2 for AMATRX alone and 5 for RHS
 ! alone: all must agree. A line of input is PROPS, SVARS, COORDS and U, and the answer RHS, minus AMATRX and SVARS.
 ---
