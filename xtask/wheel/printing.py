@@ -245,9 +245,9 @@ class Body:
             return self.text(operand)
         key = operand, safe, needed
         if key not in self.safe:
-            where = self._where(needed, self.text(operand), repr(safe))
+            text, holds = self.text(operand), self._holds(needed)
             self.safe[key] = f"t{len(self.lines) + 1}"
-            self.lines.append(f"{self.safe[key]} = {where}")
+            self.lines.append(f"{self.safe[key]} = lib.safe({bare(holds)}, {bare(text)}, {safe!r})")
         return self.safe[key]
 
     def _decides(self, place, needed):
@@ -261,12 +261,6 @@ class Body:
                 seen.add(one)
                 todo.extend(self.program.operands(one))
         return False
-
-    def _where(self, needed, text, safe):
-        kind, *parts = needed
-        if kind == "both" and parts[0] == ALWAYS and not parts[1][1]:
-            return f"lib.where({self.text(parts[1][0])}, {safe}, {bare(text)})"
-        return f"lib.where({bare(self._holds(needed))}, {bare(text)}, {safe})"
 
     def _holds(self, needed):
         kind, *parts = needed

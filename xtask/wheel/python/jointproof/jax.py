@@ -15,7 +15,7 @@ import jax
 from jax.experimental import checkify
 
 from . import arrays
-from .arrays._function import in_one_library
+from .arrays._function import full, in_one_library
 
 if TYPE_CHECKING:
     from .formula import Formula
@@ -60,6 +60,27 @@ def _with_rule(function):
                 term = entry * tangents[j]
                 changes[i] = term if changes[i] is None else changes[i] + term
         return values, tuple(lib.xp.zeros_like(y) if change is None else change for y, change in zip(values, changes))
+
+    value.defjvp(rule, symbolic_zeros=True)
+    return value
+
+
+@lru_cache
+def plain_until_derived(printed):
+    """What is printed, without what only its derivatives need, which are those of the whole."""
+
+    value = jax.custom_jvp(lambda lib, *numbers: full(lib, printed(lib.plain, *numbers), numbers), nondiff_argnums=(0,))
+
+    def rule(lib, primals, tangents):
+        numbers = list(primals)
+        moved = [j for j, tangent in enumerate(tangents) if type(tangent) is not jax.custom_derivatives.SymbolicZero]
+
+        def of(*some):
+            for j, x in zip(moved, some):
+                numbers[j] = x
+            return full(lib, printed(lib, *numbers), numbers)
+
+        return jax.jvp(of, [primals[j] for j in moved], [tangents[j] for j in moved])
 
     value.defjvp(rule, symbolic_zeros=True)
     return value

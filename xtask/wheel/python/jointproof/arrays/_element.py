@@ -7,7 +7,7 @@ import array_api_compat as compat
 import numpy as np
 
 from ..formula import bound, described, fields_of
-from ._function import components, full, in_one_library
+from ._function import components, in_one_library
 
 
 class Contribution(NamedTuple):
@@ -66,11 +66,11 @@ class Element:
         lib, inputs = in_one_library(bound(f"element {self.id}", [field.name for field in fields], args, kwargs))
         numbers, shape = components(lib, fields, inputs)
         with np.errstate(all="ignore"):
-            results = full(lib, value(lib, *numbers), numbers)
+            results = lib.run(value, numbers)
         found, start = {}, 0
         for name, own in shapes:
             parts = results[start : start + math.prod(own)]
             start += len(parts)
-            packed = lib.xp.stack(parts, axis=-1) if parts else numbers[0][..., None][..., :0]
+            packed = lib.joined(parts) if parts else numbers[0][..., None][..., :0]
             found[name] = lib.xp.reshape(packed, (*shape, *own))
         return Contribution(**found)

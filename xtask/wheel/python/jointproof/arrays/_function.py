@@ -1,7 +1,7 @@
 """A printed formula over arrays: what is called, and what it computes with."""
 
 import math
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import Any
 
 import array_api_compat as compat
@@ -11,14 +11,32 @@ from ..formula import Jacobian, Linearized, broadcast
 
 
 class Library:
-    """The functions that printed formulas call, of one library in one precision. None has NaN as a derivative where a formula has one."""
+    """The functions that printed formulas call, of one library in one precision. None has NaN as a derivative where a formula has one,
+    unless it is not ``derived``: then what a choice does not take may be NaN, which saves the choices that keep it finite."""
 
-    def __init__(self, xp, dtype):
-        self.xp, self.dtype, self.nan = xp, dtype, math.nan
+    def __init__(self, xp, dtype, derived=True):
+        self.xp, self.dtype, self.derived, self.nan = xp, dtype, derived, math.nan
         #: 2^27 + 1 in doubles.
         self.splitter = 2.0 ** round(-math.log2(xp.finfo(dtype).eps) / 2 + 0.6) + 1.0
         for name in ("abs", "sqrt", "sin", "cos", "asin", "exp", "expm1", "atan2", "maximum", "where"):
             setattr(self, name, getattr(xp, name))
+
+    @cached_property
+    def plain(self):
+        """The same for what nothing is derived from."""
+        return Library(self.xp, self.dtype, derived=False) if self.derived else self
+
+    def run(self, printed, numbers):
+        """The results of printed lines, as arrays."""
+        if self.derived and compat.is_jax_namespace(self.xp):
+            from ..jax import plain_until_derived
+
+            return plain_until_derived(printed)(self, *numbers)
+        return full(self, printed(self, *numbers), numbers)
+
+    def safe(self, needed, x, number):
+        """An operand where its result is needed, and a safe number elsewhere."""
+        return self.where(needed, x, number) if self.derived else x
 
     def constants(self, condition, yes, no):
         """One of two numbers, in this precision."""
@@ -27,6 +45,8 @@ class Library:
     def norm(self, *parts):
         """The length of a vector, with the derivative 0 at the zero vector."""
         square = sum((x * x for x in parts[1:]), parts[0] * parts[0])
+        if not self.derived:
+            return self.sqrt(square)
         is_zero = square == 0.0
         return self.where(is_zero, 0.0, self.sqrt(self.where(is_zero, 1.0, square)))
 
@@ -66,6 +86,11 @@ class Library:
             finite = finite & self.xp.isfinite(one)
         return finite
 
+    def joined(self, parts):
+        """Components along a last axis."""
+        # Not stacked, for JAX maps that along another axis.
+        return self.xp.concat([x[..., None] for x in parts], axis=-1)
+
     def parts(self, x):
         """The components along the last axis."""
         if not compat.is_jax_namespace(self.xp):
@@ -74,7 +99,10 @@ class Library:
         return [self.xp.reshape(part, x.shape[:-1]) for part in self.xp.split(x, x.shape[-1], axis=-1)]
 
 
-library = lru_cache(Library)
+@lru_cache
+def library(xp, dtype):
+    is_plain = compat.is_numpy_namespace(xp) or compat.is_cupy_namespace(xp) or compat.is_dask_namespace(xp)
+    return Library(xp, dtype, derived=not is_plain)
 
 
 def in_one_library(given):
@@ -115,7 +143,9 @@ def components(lib, fields, inputs):
 
 def full(lib, results, numbers):
     """Results that are the same everywhere as arrays."""
-    return tuple(y + lib.xp.zeros_like(numbers[0]) if isinstance(y, float) else y for y in results)
+    if isinstance(results, tuple):
+        return tuple(full(lib, y, numbers) for y in results)
+    return results + lib.xp.zeros_like(numbers[0]) if isinstance(results, float) else results
 
 
 class Missing:
@@ -170,17 +200,16 @@ class Function:
             dense = [zero] * (self.formula.m * self.formula.n)
             for (i, j), entry in zip(self.entries, entries):
                 dense[i * self.formula.n + j] = zero + entry
-            array = lib.xp.reshape(lib.xp.stack(dense, axis=-1), (*shape, self.formula.m, self.formula.n))
+            array = lib.xp.reshape(lib.joined(dense), (*shape, self.formula.m, self.formula.n))
             return Linearized(self.packed(lib, values, shape), Jacobian(array, self.formula._outputs, self.formula._inputs))
 
     def value(self, lib, *numbers):
         """The components of the outputs from those of the inputs, NaN where these are not allowed."""
-        return full(lib, self._value(lib, *numbers), numbers)
+        return lib.run(self._value, numbers)
 
     def linearized(self, lib, *numbers):
         """The same, and the entries of the Jacobian that are not always 0."""
-        values, entries = self._linearized(lib, *numbers)
-        return full(lib, values, numbers), full(lib, entries, numbers)
+        return lib.run(self._linearized, numbers)
 
     def components(self, lib, inputs, checked=False):
         """The components of all inputs, broadcast against each other, and the shape of each."""
@@ -201,5 +230,5 @@ class Function:
         results = []
         for field in self.formula.outputs:
             parts = numbers[field.places]
-            results.append(lib.xp.reshape(lib.xp.stack(parts, axis=-1), (*shape, *field.shape)) if field.shape else parts[0])
+            results.append(lib.xp.reshape(lib.joined(parts), (*shape, *field.shape)) if field.shape else parts[0])
         return self.formula.Value(*results)
