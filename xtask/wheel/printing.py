@@ -34,6 +34,11 @@ CALLED = {
 }
 #: What an operation is not defined for, by its operands: numbers that are safe.
 SAFE = {"divide": (None, 1.0), "root": (1.0,), "arc sine": (0.0,), "exponential": (0.0,), "exponential minus one": (0.0,), "angle": (0.0, 1.0)}
+#: The operands through which what is infinite may come out finite, and operations of which no result is infinite.
+HIDING = {"divide": [1], "exponential": [0], "exponential minus one": [0], "angle": [0, 1], "maximum": [0, 1], "sign": [0]}
+BOUNDED = {"number", "sine", "cosine", "arc sine", "exponential", "exponential minus one", "angle", "sign", *COMPARED}
+#: What a compiler does not do twice: it would keep what an input is replaced by in memory.
+COSTLY = {"divide", "root", "norm", "sine", "cosine", "arc sine", "exponential", "exponential minus one", "angle"}
 ALWAYS, NEVER = ("always",), ("never",)
 
 
@@ -83,8 +88,8 @@ class Program:
         name, *operands = self.ops[place]
         return name in COMPARED or name == "select" and self.is_answer(operands[1])
 
-    def body(self, results):
-        return Body(self, results)
+    def body(self, results, at_inputs=False):
+        return Body(self, results, at_inputs)
 
     @cached_property
     def reach(self):
@@ -107,8 +112,9 @@ class Program:
 class Body:
     """The lines that compute some results."""
 
-    def __init__(self, program, results):
-        """What is required of all inputs together is computed with the results, if these are numbers that are returned."""
+    def __init__(self, program, results, at_inputs=False):
+        """What is required of all inputs together is computed with the results, if these are numbers that are returned. What is infinite
+        is made NaN in inputs, or in results and wherever it would be hidden from them."""
         self.program, self.places = program, list(results)
         together = [] if program.refusal in (None, *results) else [program.refusal]
         results = [*results, *together]
@@ -125,24 +131,40 @@ class Body:
             self.uses[place] += 1
         self._find_where_needed(results)
         self.texts, self.lines, self.safe = {}, [], {}
+        is_asked = self.places == [program.refusal]
+        self.guards = set() if is_asked else self._guards(at_inputs)
         for place in self.order:
             name, *operands = program.ops[place]
             if name == "input":
                 self.texts[place] = program.names[operands[0]]
-        if together or program.refusal is None:
-            self._refuse()
+                if not is_asked:
+                    self._allow(place, program.conditions[operands[0]])
         self.results = [bare(self.text(place)) for place in self.places]
         if together:
             self.lines.append(f"refused = lib.constants({self.text(program.refusal)} == 0.0, 0.0, lib.nan)")
 
-    def _refuse(self):
-        """Makes inputs NaN that are not allowed."""
+    def _allow(self, place, conditions):
+        """Makes an input NaN that is not allowed."""
+        text = self.texts[place]
+        if conditions:
+            holds = " & ".join(f"({text} {relation} {bound!r})" for relation, bound in conditions)
+            self.lines.append(f"{text} = lib.where({bare(holds)}, {text}, lib.nan)")
+        if place in self.guards:
+            self.lines.append(f"{text} = lib.finite({text})")
+
+    def _guards(self, at_inputs):
+        """Where what is infinite because an input is becomes NaN: in inputs, or in results and before it would be hidden from them."""
+        at_inputs = at_inputs or not any(self.program.ops[place][0] in COSTLY for place in self.order)
+        wanted, unbounded, guards = set(self.places), set(), set()
         for place in self.order:
             name, *operands = self.program.ops[place]
-            if name == "input":
-                text, conditions = self.texts[place], self.program.conditions[operands[0]]
-                holds = " & ".join(f"({text} {relation} {bound!r})" for relation, bound in conditions)
-                self.lines.append(f"{text} = lib.allowed({text}, {bare(holds)})" if holds else f"{text} = lib.finite({text})")
+            wanted.update(operands[k] for k in HIDING.get(name, ()))
+        for place in self.order:
+            name = self.program.ops[place][0]
+            operands = self.program.operands(place)[name == "select" :]
+            if name == "input" or name not in BOUNDED and not unbounded.isdisjoint(operands):
+                (guards if at_inputs or place in wanted else unbounded).add(place)
+        return guards
 
     def values(self):
         """The results, to which what is NaN is added where it would not arrive."""
@@ -185,19 +207,18 @@ class Body:
     def _write(self, place):
         name, *operands = self.program.ops[place]
         text = self._operation(place, name, operands)
+        if place in self.guards:
+            text, name = f"lib.finite({bare(text)})", "guard"
         # A condition also stands where what is not needed is kept safe.
         if self.uses[place] == 1 and len(text) <= SHORT and not self.program.is_answer(place):
-            self.texts[place] = text if name in CALLED or name == "select" else f"({text})"
+            self.texts[place] = text if name in CALLED or name in ("select", "guard") else f"({text})"
             return
         self.texts[place] = f"t{len(self.lines) + 1}"
         self.lines.append(f"{self.texts[place]} = {bare(text)}")
 
     def _operation(self, place, name, operands):
         if name in SAFE:
-            operands = [
-                self.text(operand) if safe is None else self._safely(place, operand, safe)
-                for operand, safe in zip(operands, SAFE[name], strict=True)
-            ]
+            operands = [self._safely(place, operand, safe) for operand, safe in zip(operands, SAFE[name], strict=True)]
         elif name == "select":
             return self._choice(place, *operands)
         elif name == "less" and self.program.number(operands[0]) == 0.0 and (answer := self._answer(operands[1])):
@@ -240,14 +261,14 @@ class Body:
 
     def _safely(self, place, operand, safe):
         """An operand of a result, or a safe number where the result is not needed."""
-        needed = self.needed[place]
-        if needed == ALWAYS or self.program.number(operand) is not None or self._decides(place, needed):
-            return self.text(operand)
+        needed, text = self.needed[place], self.text(operand)
+        if safe is None or needed == ALWAYS or self.program.number(operand) is not None or self._decides(place, needed):
+            return text
         key = operand, safe, needed
         if key not in self.safe:
-            text, holds = self.text(operand), self._holds(needed)
+            holds = bare(self._holds(needed))
             self.safe[key] = f"t{len(self.lines) + 1}"
-            self.lines.append(f"{self.safe[key]} = lib.safe({bare(holds)}, {bare(text)}, {safe!r})")
+            self.lines.append(f"{self.safe[key]} = lib.safe({holds}, {bare(text)}, {safe!r})")
         return self.safe[key]
 
     def _decides(self, place, needed):
@@ -379,7 +400,8 @@ def accepted(name, program):
 def formula(name, id, program):
     """The functions of a formula, and the object that is called."""
     value = program.body(program.value)
-    text = function(f"_{name}_value", program.names, value.lines, tuple_of(value.values()))
+    values = value.values()
+    text = function(f"_{name}_value", program.names, value.lines, tuple_of(values))
     linearized, entries = "None", []
     if program.jacobian:
         n, m = len(program.names), len(program.value)
@@ -400,7 +422,7 @@ def element(forms):
     for said in forms:
         name = f"_{said['id']}_{'rubbing' if said['rubs'] else 'smooth'}"
         program = Program(said["program"], components(said["inputs"]))
-        body = program.body(program.value)
+        body = program.body(program.value, at_inputs=True)
         text += function(name, program.names, body.lines, tuple_of(body.values()))
         shapes = [(output, tuple(shape)) for output, shape in said["outputs"]]
         given.append(f"({said['inputs']!r}, {shapes!r}, {name})")

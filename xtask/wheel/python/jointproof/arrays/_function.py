@@ -75,10 +75,6 @@ class Library:
         """A number, NaN if it is not finite."""
         return x + 0.0 * x
 
-    def allowed(self, x, holds):
-        """A number, NaN if it is not finite or something does not hold."""
-        return self.where(holds, self.finite(x), self.nan)
-
     def are_finite(self, *x):
         """Whether all numbers are."""
         finite = self.xp.isfinite(x[0])
