@@ -8,6 +8,7 @@ import json
 import keyword
 import pathlib
 import struct
+import sys
 from functools import cached_property
 
 FOLDER = pathlib.Path(__file__).parent / "python" / "jointproof" / "arrays"
@@ -88,6 +89,39 @@ class Program:
         name, *operands = self.ops[place]
         return name in COMPARED or name == "select" and self.is_answer(operands[1])
 
+    @cached_property
+    def accepting(self):
+        """Whether all inputs together are allowed, as a tree of the comparisons on which that depends: True, False, or a comparison, then
+        what holds if it does and if it does not. What overflows is not asked: a result is NaN then."""
+
+        def tree(place, holds):
+            """Of the number at this place, or of a condition; some comparisons are known."""
+            name, *operands = self.ops[place]
+            if name == "number":
+                return self.number(place) == 0.0
+            if name == "select":
+                condition, *sides = operands
+                return graft(tree(condition, holds), *sides, holds)
+            if name not in COMPARED:
+                raise Missing(f"what it refuses is no choice among numbers but the operation {name}")
+            if self._is_overflow(place):
+                return True
+            return holds.get(place, (place, True, False))
+
+        def graft(condition, yes, no, holds):
+            if isinstance(condition, bool):
+                return tree(yes if condition else no, holds)
+            place, *sides = condition
+            sides = [graft(side, yes, no, holds | {place: known}) for side, known in zip(sides, (True, False))]
+            return sides[0] if sides[0] == sides[1] else (place, *sides)
+
+        return True if self.refusal is None else tree(self.refusal, {})
+
+    def _is_overflow(self, place):
+        """Whether this asks if a number is finite."""
+        name, *operands = self.ops[place]
+        return name == "less or equal" and self.ops[operands[0]][0] == "absolute" and self.number(operands[1]) == sys.float_info.max
+
     def body(self, results, at_inputs=False):
         return Body(self, results, at_inputs)
 
@@ -116,8 +150,9 @@ class Body:
         """What is required of all inputs together is computed with the results, if these are numbers that are returned. What is infinite
         is made NaN in inputs, or in results and wherever it would be hidden from them."""
         self.program, self.places = program, list(results)
-        together = [] if program.refusal in (None, *results) else [program.refusal]
-        results = [*results, *together]
+        is_asked = self.places == [program.refusal]
+        accepting = True if is_asked else program.accepting
+        results = [*results, *comparisons(accepting)]
         needed = set()
         todo = list(results)
         while todo:
@@ -129,9 +164,8 @@ class Body:
         self.uses = dict.fromkeys(self.order, 0)
         for place in [*results, *(operand for place in self.order for operand in program.operands(place))]:
             self.uses[place] += 1
-        self._find_where_needed(results)
+        self._find_where_needed()
         self.texts, self.lines, self.safe = {}, [], {}
-        is_asked = self.places == [program.refusal]
         self.guards = set() if is_asked else self._guards(at_inputs)
         for place in self.order:
             name, *operands = program.ops[place]
@@ -140,8 +174,23 @@ class Body:
                 if not is_asked:
                     self._allow(place, program.conditions[operands[0]])
         self.results = [bare(self.text(place)) for place in self.places]
-        if together:
-            self.lines.append(f"refused = lib.constants({self.text(program.refusal)} == 0.0, 0.0, lib.nan)")
+        self.refuses = accepting is not True
+        if self.refuses:
+            self.lines.append(f"refused = lib.constants({bare(self._accepted(accepting))}, 0.0, lib.nan)")
+
+    def _accepted(self, tree):
+        """A tree of comparisons as a condition."""
+        place, yes, no = tree
+        condition = self.text(place)
+        if yes is True:
+            return condition if no is False else f"({condition} | {self._accepted(no)})"
+        if yes is False:
+            return f"~{condition}" if no is True else f"(~{condition} & {self._accepted(no)})"
+        if no is False:
+            return f"({condition} & {self._accepted(yes)})"
+        if no is True:
+            return f"(~{condition} | {self._accepted(yes)})"
+        return f"(({condition} & {self._accepted(yes)}) | (~{condition} & {self._accepted(no)}))"
 
     def _allow(self, place, conditions):
         """Makes an input NaN that is not allowed."""
@@ -172,15 +221,15 @@ class Body:
         texts = []
         for place, text in zip(self.places, self.results):
             lost = [f"0.0 * {self.program.names[k]}" for k in sorted(depends[place] - arrives[place])]
-            if self.program.refusal is not None:
+            if self.refuses:
                 lost.append("refused")
             texts.append(f"({text}) + ({' + '.join(lost)})" if lost else text)
         return texts
 
-    def _find_where_needed(self, results):
+    def _find_where_needed(self):
         """When each result is needed: always, or if some of the conditions around it hold."""
         needed = {place: NEVER for place in self.order}
-        for place in results:
+        for place in self.places:
             needed[place] = ALWAYS
         for place in reversed(self.order):
             name, *operands = self.program.ops[place]
@@ -262,7 +311,7 @@ class Body:
     def _safely(self, place, operand, safe):
         """An operand of a result, or a safe number where the result is not needed."""
         needed, text = self.needed[place], self.text(operand)
-        if safe is None or needed == ALWAYS or self.program.number(operand) is not None or self._decides(place, needed):
+        if safe is None or needed in (ALWAYS, NEVER) or self.program.number(operand) is not None or self._decides(place, needed):
             return text
         key = operand, safe, needed
         if key not in self.safe:
@@ -300,6 +349,11 @@ def bare(text):
         if depth == 0 and k < len(text) - 1:
             return text
     return text[1:-1] if text.startswith("(") else text
+
+
+def comparisons(tree):
+    """The places of those in a tree."""
+    return [] if isinstance(tree, bool) else [tree[0], *(place for side in tree[1:] for place in comparisons(side))]
 
 
 def conditions(needed):
