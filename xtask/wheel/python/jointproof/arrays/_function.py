@@ -72,8 +72,16 @@ class Library:
         return x.sign() + 0.0 * x if compat.is_torch_namespace(self.xp) else self.xp.sign(x)
 
     def finite(self, x):
-        """A number, NaN if it is not finite."""
-        return x + 0.0 * x
+        """A number, NaN if it is not finite; its derivative is 1."""
+        return x + 0.0 * self._still(x)
+
+    def _still(self, x):
+        """The same number, from which nothing is derived."""
+        if self.derived and compat.is_jax_namespace(self.xp):
+            from jax.lax import stop_gradient
+
+            return stop_gradient(x)
+        return x.detach() if self.derived and compat.is_torch_namespace(self.xp) else x
 
     def are_finite(self, *x):
         """Whether all numbers are."""
