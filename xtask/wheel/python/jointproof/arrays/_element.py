@@ -51,6 +51,8 @@ class Element:
         self.id, self.__name__ = id, id
         self._forms = [(fields_of(said), shapes, value) for said, shapes, value in (smooth, rubbing or smooth)]
         fields, more = (form[0] for form in self._forms)
+        #: Those with friction; without it those of friction are left out, which come last.
+        self.inputs = more
         lines = [f"{title}.", "", "Inputs:", *map(described, fields)]
         if rubbing:
             lines += ["", "With friction also:", *map(described, more[len(fields) :])]
