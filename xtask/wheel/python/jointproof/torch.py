@@ -35,7 +35,8 @@ def _operation(id, checked):
     value = function.value if function.entries is None else _ruled(function)
 
     def called(*args, **kwargs):
-        lib, inputs = _tensors(function.formula._bound(args, kwargs))
+        names = function.formula._input_names
+        lib, inputs = _tensors(names, function.formula._bound(args, kwargs))
         numbers, shape = function.components(lib, inputs, checked)
         return function.packed(lib, value(lib, *numbers), shape)
 
@@ -47,14 +48,24 @@ def _operation(id, checked):
 _LIBRARIES = {dtype: Library(array_api_compat.torch, dtype) for dtype in (torch.float64, torch.float32, torch.bfloat16, torch.float16)}
 
 
-def _tensors(given):
-    """The library of some inputs, and these as tensors in one precision on one device; without tensors they are doubles."""
+def _tensors(names, given):
+    """The library of inputs of these names, and these as tensors in one precision on one device; without tensors they are doubles."""
     tensors = [x for x in given if isinstance(x, torch.Tensor)]
     dtype, device = torch.float64, tensors[0].device if tensors else None
     floating = [x.dtype for x in tensors if x.dtype.is_floating_point]
     if floating:
         dtype = reduce(torch.promote_types, floating)
-    return _LIBRARIES[dtype], [torch.as_tensor(x, dtype=dtype, device=device) for x in given]
+    return _LIBRARIES[dtype], [_real(name, x).to(dtype=dtype, device=device) for name, x in zip(names, given)]
+
+
+def _real(name, x):
+    try:
+        tensor = torch.as_tensor(x)
+    except (TypeError, ValueError, RuntimeError) as why:
+        raise TypeError(f"{name}: {why}") from None
+    if tensor.is_complex():
+        raise TypeError(f"{name}: numbers of type {tensor.dtype} are not real")
+    return tensor
 
 
 def _ruled(function):

@@ -65,7 +65,8 @@ class Element:
         smooth, rubbing = self._forms
         rubs = len(args) > len(smooth[0]) or not {field.name for field in smooth[0]} >= set(kwargs)
         fields, shapes, value = rubbing if rubs else smooth
-        lib, inputs = in_one_library(bound(f"element {self.id}", [field.name for field in fields], args, kwargs))
+        names = [field.name for field in fields]
+        lib, inputs = in_one_library(names, bound(f"element {self.id}", names, args, kwargs))
         numbers, shape = components(lib, fields, inputs)
         with np.errstate(all="ignore"):
             results = lib.run(value, numbers)

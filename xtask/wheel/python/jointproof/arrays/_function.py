@@ -16,6 +16,7 @@ class Library:
 
     def __init__(self, xp, dtype, derived=True):
         self.xp, self.dtype, self.derived, self.nan = xp, dtype, derived, math.nan
+        self.is_jax, self.is_torch = compat.is_jax_namespace(xp), compat.is_torch_namespace(xp)
         #: 2^27 + 1 in doubles.
         self.splitter = 2.0 ** round(-math.log2(xp.finfo(dtype).eps) / 2 + 0.6) + 1.0
         for name in ("abs", "sqrt", "sin", "cos", "asin", "exp", "expm1", "atan2", "maximum", "where"):
@@ -28,7 +29,7 @@ class Library:
 
     def run(self, printed, numbers):
         """The results of printed lines, as arrays."""
-        if self.derived and compat.is_jax_namespace(self.xp):
+        if self.derived and self.is_jax:
             from ..jax import plain_until_derived
 
             return plain_until_derived(printed)(self, *numbers)
@@ -69,19 +70,19 @@ class Library:
     def sign(self, x):
         """−1, 0 or 1; NaN of NaN."""
         # That of PyTorch is 0 for NaN, and mended by writing into it, which cannot be mapped.
-        return x.sign() + 0.0 * x if compat.is_torch_namespace(self.xp) else self.xp.sign(x)
+        return x.sign() + 0.0 * x if self.is_torch else self.xp.sign(x)
 
     def finite(self, x):
         """A number, NaN if it is not finite; its derivative is 1."""
-        return x + 0.0 * self._still(x)
+        return x + 0.0 * self.still(x) if self.derived else x + 0.0 * x
 
-    def _still(self, x):
+    def still(self, x):
         """The same number, from which nothing is derived."""
-        if self.derived and compat.is_jax_namespace(self.xp):
+        if self.is_jax:
             from jax.lax import stop_gradient
 
             return stop_gradient(x)
-        return x.detach() if self.derived and compat.is_torch_namespace(self.xp) else x
+        return x.detach() if self.is_torch else x
 
     def are_finite(self, *x):
         """Whether all numbers are."""
@@ -97,7 +98,7 @@ class Library:
 
     def parts(self, x):
         """The components along the last axis."""
-        if not compat.is_jax_namespace(self.xp):
+        if not self.is_jax:
             return [x[..., k] for k in range(x.shape[-1])]
         # Backwards this joins what the components have; slices would add arrays with zeros beside each.
         return [self.xp.reshape(part, x.shape[:-1]) for part in self.xp.split(x, x.shape[-1], axis=-1)]
@@ -109,9 +110,9 @@ def library(xp, dtype):
     return Library(xp, dtype, derived=not is_plain)
 
 
-def in_one_library(given):
-    """The library of some inputs, and these as its arrays in one precision, on one device; numbers and arrays of NumPy go along with
-    arrays of others."""
+def in_one_library(names, given):
+    """The library of inputs of these names, and these as its arrays in one precision, on one device; numbers and arrays of NumPy go along
+    with arrays of others."""
     arrays = [x for x in given if compat.is_array_api_obj(x)]
     arrays = [x for x in arrays if not compat.is_numpy_array(x)] or arrays or [np.asarray(0.0)]
     xp = compat.array_namespace(*arrays)
@@ -119,12 +120,16 @@ def in_one_library(given):
     lib = library(xp, xp.result_type(*floating) if floating else xp.asarray(0.0).dtype)
     device = None if compat.is_jax_array(arrays[0]) else compat.device(arrays[0])
 
-    def array(x):
-        if any(x is one for one in arrays):
-            return x if x.dtype == lib.dtype else xp.astype(x, lib.dtype)
-        return xp.asarray(x, dtype=lib.dtype, device=device)
+    def array(name, x):
+        if isinstance(x, (int, float)):
+            return xp.asarray(x, dtype=lib.dtype, device=device)
+        if not any(x is one for one in arrays):
+            x = xp.asarray(x, device=device)
+        if not xp.isdtype(x.dtype, ("bool", "integral", "real floating")):
+            raise TypeError(f"{name}: numbers of type {x.dtype} are not real")
+        return x if x.dtype == lib.dtype else xp.astype(x, lib.dtype)
 
-    return lib, [array(x) for x in given]
+    return lib, [array(*one) for one in zip(names, given)]
 
 
 def components(lib, fields, inputs):
@@ -187,7 +192,7 @@ class Function:
         return f"<{self.id} over arrays>"
 
     def __call__(self, *args: Any, checked: bool = False, **kwargs: Any) -> Any:
-        lib, inputs = in_one_library(self.formula._bound(args, kwargs))
+        lib, inputs = in_one_library(self.formula._input_names, self.formula._bound(args, kwargs))
         numbers, shape = self.components(lib, inputs, checked)
         with np.errstate(all="ignore"):
             return self.packed(lib, self.value(lib, *numbers), shape)
@@ -196,7 +201,7 @@ class Function:
         """Value and Jacobian together, as the formula has them, the Jacobian in closed form."""
         if self.entries is None:
             raise NotImplementedError(f"{self.id}: its Jacobian is automatic; let the library of your arrays derive it")
-        lib, inputs = in_one_library(self.formula._bound(args, kwargs))
+        lib, inputs = in_one_library(self.formula._input_names, self.formula._bound(args, kwargs))
         numbers, shape = self.components(lib, inputs, checked)
         with np.errstate(all="ignore"):
             values, entries = self.linearized(lib, *numbers)
@@ -224,8 +229,14 @@ class Function:
 
     def check(self, lib, numbers):
         """Raises the formula's error for what is not allowed."""
-        if not bool(lib.xp.all(self._accepted(lib, *numbers))):
-            told = [np.asarray(x.detach().cpu() if hasattr(x, "detach") else x) for x in numbers]
+        holds = lib.xp.all(self._accepted(lib, *numbers))
+        if lib.is_jax:
+            from ..jax import check_traced
+
+            if check_traced(self, holds):
+                return
+        if not bool(holds):
+            told = [np.asarray(x.cpu() if lib.is_torch else x) for x in map(lib.still, numbers)]
             self.formula(**self.formula.unpack(np.stack(told, axis=-1)))
             raise ValueError(f"{self.id}: what is allowed in doubles is not in {lib.dtype}")
 
