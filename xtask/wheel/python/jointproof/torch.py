@@ -13,6 +13,7 @@ from functools import lru_cache, reduce
 from typing import TYPE_CHECKING, Any
 
 import array_api_compat.torch
+import numpy as np
 import torch
 from torch.autograd import forward_ad
 
@@ -55,17 +56,16 @@ def _tensors(names, given):
     floating = [x.dtype for x in tensors if x.dtype.is_floating_point]
     if floating:
         dtype = reduce(torch.promote_types, floating)
-    return _LIBRARIES[dtype], [_real(name, x).to(dtype=dtype, device=device) for name, x in zip(names, given)]
+    return _LIBRARIES[dtype], [_real(name, x, dtype, device) for name, x in zip(names, given)]
 
 
-def _real(name, x):
+def _real(name, x, dtype, device):
+    if getattr(x, "dtype", dtype) in (torch.complex64, torch.complex128, np.complex64, np.complex128):
+        raise TypeError(f"{name}: numbers of type {x.dtype} are not real")
     try:
-        tensor = torch.as_tensor(x)
-    except (TypeError, ValueError, RuntimeError) as why:
+        return torch.as_tensor(x, dtype=dtype, device=device)
+    except (TypeError, ValueError) as why:
         raise TypeError(f"{name}: {why}") from None
-    if tensor.is_complex():
-        raise TypeError(f"{name}: numbers of type {tensor.dtype} are not real")
-    return tensor
 
 
 def _ruled(function):
