@@ -165,7 +165,9 @@ class Body:
         for place in [*results, *(operand for place in self.order for operand in program.operands(place))]:
             self.uses[place] += 1
         self._find_where_needed()
+        self._find_alternatives()
         self.texts, self.lines, self.safe = {}, [], {}
+        self.added = {} if at_inputs else self._added()
         self.guards = set() if is_asked else self._guards(at_inputs)
         for place in self.order:
             name, *operands = program.ops[place]
@@ -197,9 +199,21 @@ class Body:
         text = self.texts[place]
         if conditions:
             holds = " & ".join(f"({text} {relation} {bound!r})" for relation, bound in conditions)
-            self.lines.append(f"{text} = lib.where({bare(holds)}, {text}, lib.nan)")
+            allowed = f"t{len(self.lines) + 1}" if place in self.added else text
+            self.lines.append(f"{allowed} = lib.where({bare(holds)}, {text}, lib.nan)")
+            if place in self.added:
+                self.added[place] = allowed
         if place in self.guards:
             self.lines.append(f"{text} = lib.finite({text})")
+
+    def _added(self):
+        """Inputs of which NaN is added to all results that depend on them: these are computed from what is given. Not where derivatives are
+        those of the results."""
+        if self.places != self.program.value or not self.program.jacobian:
+            return {}
+        depends, arrives = self.program.reach
+        inputs = {place: self.program.ops[place][1] for place in self.order if self.program.ops[place][0] == "input"}
+        return {place: self.program.names[k] for place, k in inputs.items() if not any(k in arrives[result] for result in self.places)}
 
     def _guards(self, at_inputs):
         """Where what is infinite because an input is becomes NaN: in inputs, or in results and before it would be hidden from them."""
@@ -211,16 +225,19 @@ class Body:
         for place in self.order:
             name = self.program.ops[place][0]
             operands = self.program.operands(place)[name == "select" :]
-            if name == "input" or name not in BOUNDED and not unbounded.isdisjoint(operands):
+            if name == "input" and place not in self.added or name not in BOUNDED and not unbounded.isdisjoint(operands):
                 (guards if at_inputs or place in wanted else unbounded).add(place)
-        return guards
+        # What overflows was to be refused.
+        overflows = any(self.program._is_overflow(place) for place in range(len(self.program.ops)))
+        return guards | set(self.places) if overflows else guards
 
     def values(self):
         """The results, to which what is NaN is added where it would not arrive."""
         depends, arrives = self.program.reach
+        given = dict(enumerate(self.program.names)) | {self.program.ops[place][1]: text for place, text in self.added.items()}
         texts = []
         for place, text in zip(self.places, self.results):
-            lost = [f"0.0 * {self.program.names[k]}" for k in sorted(depends[place] - arrives[place])]
+            lost = [f"0.0 * {given[k]}" for k in sorted(depends[place] - arrives[place])]
             if self.refuses:
                 lost.append("refused")
             texts.append(f"({text}) + ({' + '.join(lost)})" if lost else text)
@@ -245,6 +262,37 @@ class Body:
                     needed[operand] = either(needed[operand], needed[place])
         self.needed = needed
 
+    def _find_alternatives(self):
+        """Costly operations of which one is needed only where a condition holds and the other only where it does not: they are one."""
+        self.alternatives, before = {}, {}
+        for place in self.order:
+            name = self.program.ops[place][0]
+            if name not in COSTLY or name == "norm":
+                continue
+            for other in before.setdefault(name, []):
+                opposite = {(condition, not holds) for condition, holds in surely(self.needed[other])}
+                common = [one for one in opposite & surely(self.needed[place]) if one[0] < other]
+                if common and not self._follows(place, other):
+                    condition, holds = min(common)
+                    yes, no = (place, other) if holds else (other, place)
+                    self.alternatives[place] = self.alternatives[other] = condition, yes, no
+                    before[name].remove(other)
+                    break
+            else:
+                before[name].append(place)
+
+    def _follows(self, place, other):
+        """Whether a result is computed from another one."""
+        todo, seen = [place], set()
+        while todo:
+            one = todo.pop()
+            if one == other:
+                return True
+            if one > other and one not in seen:
+                seen.add(one)
+                todo.extend(self.program.operands(one))
+        return False
+
     def text(self, place):
         number = self.program.number(place)
         if number is not None:
@@ -255,30 +303,43 @@ class Body:
 
     def _write(self, place):
         name, *operands = self.program.ops[place]
-        text = self._operation(place, name, operands)
-        if place in self.guards:
+        alternatives = self.alternatives.get(place)
+        text = self._either(*alternatives) if alternatives else self._operation(place, name, operands)
+        places = alternatives[1:] if alternatives else (place,)
+        if not self.guards.isdisjoint(places):
             text, name = f"lib.finite({bare(text)})", "guard"
         # A condition also stands where what is not needed is kept safe.
-        if self.uses[place] == 1 and len(text) <= SHORT and not self.program.is_answer(place):
+        if sum(self.uses[k] for k in places) == 1 and len(text) <= SHORT and not self.program.is_answer(place):
             self.texts[place] = text if name in CALLED or name in ("select", "guard") else f"({text})"
             return
-        self.texts[place] = f"t{len(self.lines) + 1}"
-        self.lines.append(f"{self.texts[place]} = {bare(text)}")
+        name = f"t{len(self.lines) + 1}"
+        self.lines.append(f"{name} = {bare(text)}")
+        self.texts.update(dict.fromkeys(places, name))
 
     def _operation(self, place, name, operands):
-        if name in SAFE:
-            operands = [self._safely(place, operand, safe) for operand, safe in zip(operands, SAFE[name], strict=True)]
-        elif name == "select":
+        if name == "select":
             return self._choice(place, *operands)
-        elif name == "less" and self.program.number(operands[0]) == 0.0 and (answer := self._answer(operands[1])):
+        if name == "less" and self.program.number(operands[0]) == 0.0 and (answer := self._answer(operands[1])):
             return answer
-        else:
-            operands = [self.text(operand) for operand in operands]
+        return self._called(name, [self._safely((place,), (operand,), self.text(operand), k) for k, operand in enumerate(operands)])
+
+    def _either(self, condition, yes, no):
+        """One of two alternatives, by their operands."""
+        name, *operands = self.program.ops[yes]
+        texts = []
+        for k, (one, other) in enumerate(zip(operands, self.program.operands(no), strict=True)):
+            text = self.text(one)
+            if one != other:
+                text = f"lib.where({', '.join(map(bare, (self.text(condition), text, self.text(other))))})"
+            texts.append(self._safely((yes, no), (one, other), text, k))
+        return self._called(name, texts)
+
+    def _called(self, name, texts):
         if name in INFIX:
-            return f" {INFIX[name]} ".join(operands)
+            return f" {INFIX[name]} ".join(texts)
         if name == "negative":
-            return f"-{operands[0]}"
-        return f"lib.{CALLED[name]}({', '.join(map(bare, operands))})"
+            return f"-{texts[0]}"
+        return f"lib.{CALLED[name]}({', '.join(map(bare, texts))})"
 
     def _choice(self, place, condition, yes, no):
         texts = [self.text(k) for k in (condition, yes, no)]
@@ -288,6 +349,8 @@ class Body:
             if yes == condition:
                 return f"{texts[0]} | {texts[2]}"
             return f"({texts[0]} & {texts[1]}) | (~{texts[0]} & {texts[2]})"
+        if texts[1] == texts[2]:
+            return texts[1]
         constants = self.program.number(yes) is not None and self.program.number(no) is not None
         return f"lib.{'constants' if constants else 'where'}({', '.join(map(bare, texts))})"
 
@@ -308,16 +371,18 @@ class Body:
             return f"({condition} & {yes})"
         return f"~{condition}" if yes is False and no is True else None
 
-    def _safely(self, place, operand, safe):
-        """An operand of a result, or a safe number where the result is not needed."""
-        needed, text = self.needed[place], self.text(operand)
-        if safe is None or needed in (ALWAYS, NEVER) or self.program.number(operand) is not None or self._decides(place, needed):
+    def _safely(self, places, operands, text, k):
+        """An operand of one or of alternative results, or a safe number where none of them is needed."""
+        safe = SAFE.get(self.program.ops[places[0]][0], ())[k : k + 1]
+        needed = either_of(self.needed[place] for place in places)
+        is_number = all(self.program.number(operand) is not None for operand in operands)
+        if safe in ((), (None,)) or needed in (ALWAYS, NEVER) or is_number or any(self._decides(place, needed) for place in places):
             return text
-        key = operand, safe, needed
+        key = operands, safe, needed
         if key not in self.safe:
             holds = bare(self._holds(needed))
             self.safe[key] = f"t{len(self.lines) + 1}"
-            self.lines.append(f"{self.safe[key]} = lib.safe({holds}, {bare(text)}, {safe!r})")
+            self.lines.append(f"{self.safe[key]} = lib.safe({holds}, {bare(text)}, {safe[0]!r})")
         return self.safe[key]
 
     def _decides(self, place, needed):
@@ -364,6 +429,14 @@ def conditions(needed):
     elif kind == "both":
         yield parts[1][0]
         yield from conditions(parts[0])
+
+
+def surely(needed):
+    """The conditions, and whether they hold, without which nothing is needed."""
+    kind, *parts = needed
+    if kind == "either":
+        return set.intersection(*map(surely, parts[0]))
+    return {parts[1]} | surely(parts[0]) if kind == "both" else set()
 
 
 def both(needed, condition):
