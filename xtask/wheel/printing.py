@@ -122,8 +122,8 @@ class Program:
         name, *operands = self.ops[place]
         return name == "less or equal" and self.ops[operands[0]][0] == "absolute" and self.number(operands[1]) == sys.float_info.max
 
-    def body(self, results, at_inputs=False):
-        return Body(self, results, at_inputs)
+    def body(self, results):
+        return Body(self, results)
 
     @cached_property
     def reach(self):
@@ -146,7 +146,7 @@ class Program:
 class Body:
     """The lines that compute some results."""
 
-    def __init__(self, program, results, at_inputs=False):
+    def __init__(self, program, results):
         """What is required of all inputs together is computed with the results, if these are numbers that are returned. What is infinite
         is made NaN in inputs, or in results and wherever it would be hidden from them."""
         self.program, self.places = program, list(results)
@@ -167,8 +167,8 @@ class Body:
         self._find_where_needed()
         self._find_alternatives()
         self.texts, self.lines, self.safe = {}, [], {}
-        self.added = {} if at_inputs else self._added()
-        self.guards = set() if is_asked else self._guards(at_inputs)
+        self.added = self._added()
+        self.guards = set() if is_asked else self._guards()
         for place in self.order:
             name, *operands = program.ops[place]
             if name == "input":
@@ -215,9 +215,9 @@ class Body:
         inputs = {place: self.program.ops[place][1] for place in self.order if self.program.ops[place][0] == "input"}
         return {place: self.program.names[k] for place, k in inputs.items() if not any(k in arrives[result] for result in self.places)}
 
-    def _guards(self, at_inputs):
+    def _guards(self):
         """Where what is infinite because an input is becomes NaN: in inputs, or in results and before it would be hidden from them."""
-        at_inputs = at_inputs or not any(self.program.ops[place][0] in COSTLY for place in self.order)
+        at_inputs = not any(self.program.ops[place][0] in COSTLY for place in self.order)
         wanted, unbounded, guards = set(self.places), set(), set()
         for place in self.order:
             name, *operands = self.program.ops[place]
@@ -549,7 +549,7 @@ def element(forms):
     for said in forms:
         name = f"_{said['id']}_{'rubbing' if said['rubs'] else 'smooth'}"
         program = Program(said["program"], components(said["inputs"]))
-        body = program.body(program.value, at_inputs=True)
+        body = program.body(program.value)
         text += function(name, program.names, body.lines, tuple_of(body.values()))
         shapes = [(output, tuple(shape)) for output, shape in said["outputs"]]
         given.append(f"({said['inputs']!r}, {shapes!r}, {name})")
