@@ -8,6 +8,7 @@ import json
 import keyword
 import pathlib
 import struct
+import sys
 from functools import cached_property
 
 FOLDER = pathlib.Path(__file__).parent / "python" / "jointproof" / "arrays"
@@ -34,6 +35,11 @@ CALLED = {
 }
 #: What an operation is not defined for, by its operands: numbers that are safe.
 SAFE = {"divide": (None, 1.0), "root": (1.0,), "arc sine": (0.0,), "exponential": (0.0,), "exponential minus one": (0.0,), "angle": (0.0, 1.0)}
+#: The operands through which what is infinite may come out finite, and operations of which no result is infinite.
+HIDING = {"divide": [1], "exponential": [0], "exponential minus one": [0], "angle": [0, 1], "maximum": [0, 1], "sign": [0]}
+BOUNDED = {"number", "sine", "cosine", "arc sine", "exponential", "exponential minus one", "angle", "sign", *COMPARED}
+#: What a compiler does not do twice: it would keep what an input is replaced by in memory.
+COSTLY = {"divide", "root", "norm", "sine", "cosine", "arc sine", "exponential", "exponential minus one", "angle"}
 ALWAYS, NEVER = ("always",), ("never",)
 
 
@@ -83,6 +89,39 @@ class Program:
         name, *operands = self.ops[place]
         return name in COMPARED or name == "select" and self.is_answer(operands[1])
 
+    @cached_property
+    def accepting(self):
+        """Whether all inputs together are allowed, as a tree of the comparisons on which that depends: True, False, or a comparison, then
+        what holds if it does and if it does not. What overflows is not asked: a result is NaN then."""
+
+        def tree(place, holds):
+            """Of the number at this place, or of a condition; some comparisons are known."""
+            name, *operands = self.ops[place]
+            if name == "number":
+                return self.number(place) == 0.0
+            if name == "select":
+                condition, *sides = operands
+                return graft(tree(condition, holds), *sides, holds)
+            if name not in COMPARED:
+                raise Missing(f"what it refuses is no choice among numbers but the operation {name}")
+            if self._is_overflow(place):
+                return True
+            return holds.get(place, (place, True, False))
+
+        def graft(condition, yes, no, holds):
+            if isinstance(condition, bool):
+                return tree(yes if condition else no, holds)
+            place, *sides = condition
+            sides = [graft(side, yes, no, holds | {place: known}) for side, known in zip(sides, (True, False))]
+            return sides[0] if sides[0] == sides[1] else (place, *sides)
+
+        return True if self.refusal is None else tree(self.refusal, {})
+
+    def _is_overflow(self, place):
+        """Whether this asks if a number is finite."""
+        name, *operands = self.ops[place]
+        return name == "less or equal" and self.ops[operands[0]][0] == "absolute" and self.number(operands[1]) == sys.float_info.max
+
     def body(self, results):
         return Body(self, results)
 
@@ -108,10 +147,12 @@ class Body:
     """The lines that compute some results."""
 
     def __init__(self, program, results):
-        """What is required of all inputs together is computed with the results, if these are numbers that are returned."""
+        """What is required of all inputs together is computed with the results, if these are numbers that are returned. What is infinite
+        is made NaN in inputs, or in results and wherever it would be hidden from them."""
         self.program, self.places = program, list(results)
-        together = [] if program.refusal in (None, *results) else [program.refusal]
-        results = [*results, *together]
+        is_asked = self.places == [program.refusal]
+        accepting = True if is_asked else program.accepting
+        results = [*results, *comparisons(accepting)]
         needed = set()
         todo = list(results)
         while todo:
@@ -123,42 +164,89 @@ class Body:
         self.uses = dict.fromkeys(self.order, 0)
         for place in [*results, *(operand for place in self.order for operand in program.operands(place))]:
             self.uses[place] += 1
-        self._find_where_needed(results)
+        self._find_where_needed()
+        self._find_alternatives()
         self.texts, self.lines, self.safe = {}, [], {}
+        self.added = self._added()
+        self.guards = set() if is_asked else self._guards()
         for place in self.order:
             name, *operands = program.ops[place]
             if name == "input":
                 self.texts[place] = program.names[operands[0]]
-        if together or program.refusal is None:
-            self._refuse()
+                if not is_asked:
+                    self._allow(place, program.conditions[operands[0]])
         self.results = [bare(self.text(place)) for place in self.places]
-        if together:
-            self.lines.append(f"refused = lib.constants({self.text(program.refusal)} == 0.0, 0.0, lib.nan)")
+        self.refuses = accepting is not True
+        if self.refuses:
+            self.lines.append(f"refused = lib.constants({bare(self._accepted(accepting))}, 0.0, lib.nan)")
 
-    def _refuse(self):
-        """Makes inputs NaN that are not allowed."""
+    def _accepted(self, tree):
+        """A tree of comparisons as a condition."""
+        place, yes, no = tree
+        condition = self.text(place)
+        if yes is True:
+            return condition if no is False else f"({condition} | {self._accepted(no)})"
+        if yes is False:
+            return f"~{condition}" if no is True else f"(~{condition} & {self._accepted(no)})"
+        if no is False:
+            return f"({condition} & {self._accepted(yes)})"
+        if no is True:
+            return f"(~{condition} | {self._accepted(yes)})"
+        return f"(({condition} & {self._accepted(yes)}) | (~{condition} & {self._accepted(no)}))"
+
+    def _allow(self, place, conditions):
+        """Makes an input NaN that is not allowed."""
+        text = self.texts[place]
+        if conditions:
+            holds = " & ".join(f"({text} {relation} {bound!r})" for relation, bound in conditions)
+            allowed = f"t{len(self.lines) + 1}" if place in self.added else text
+            self.lines.append(f"{allowed} = lib.where({bare(holds)}, {text}, lib.nan)")
+            if place in self.added:
+                self.added[place] = allowed
+        if place in self.guards:
+            self.lines.append(f"{text} = lib.finite({text})")
+
+    def _added(self):
+        """Inputs of which NaN is added to all results that depend on them: these are computed from what is given. Not where derivatives are
+        those of the results."""
+        if self.places != self.program.value or not self.program.jacobian:
+            return {}
+        depends, arrives = self.program.reach
+        inputs = {place: self.program.ops[place][1] for place in self.order if self.program.ops[place][0] == "input"}
+        return {place: self.program.names[k] for place, k in inputs.items() if not any(k in arrives[result] for result in self.places)}
+
+    def _guards(self):
+        """Where what is infinite because an input is becomes NaN: in inputs, or in results and before it would be hidden from them."""
+        at_inputs = not any(self.program.ops[place][0] in COSTLY for place in self.order)
+        wanted, unbounded, guards = set(self.places), set(), set()
         for place in self.order:
             name, *operands = self.program.ops[place]
-            if name == "input":
-                text, conditions = self.texts[place], self.program.conditions[operands[0]]
-                holds = " & ".join(f"({text} {relation} {bound!r})" for relation, bound in conditions)
-                self.lines.append(f"{text} = lib.allowed({text}, {bare(holds)})" if holds else f"{text} = lib.finite({text})")
+            wanted.update(operands[k] for k in HIDING.get(name, ()))
+        for place in self.order:
+            name = self.program.ops[place][0]
+            operands = self.program.operands(place)[name == "select" :]
+            if name == "input" and place not in self.added or name not in BOUNDED and not unbounded.isdisjoint(operands):
+                (guards if at_inputs or place in wanted else unbounded).add(place)
+        # What overflows was to be refused.
+        overflows = any(self.program._is_overflow(place) for place in range(len(self.program.ops)))
+        return guards | set(self.places) if overflows else guards
 
     def values(self):
         """The results, to which what is NaN is added where it would not arrive."""
         depends, arrives = self.program.reach
+        given = dict(enumerate(self.program.names)) | {self.program.ops[place][1]: text for place, text in self.added.items()}
         texts = []
         for place, text in zip(self.places, self.results):
-            lost = [f"0.0 * {self.program.names[k]}" for k in sorted(depends[place] - arrives[place])]
-            if self.program.refusal is not None:
+            lost = [f"0.0 * {given[k]}" for k in sorted(depends[place] - arrives[place])]
+            if self.refuses:
                 lost.append("refused")
             texts.append(f"({text}) + ({' + '.join(lost)})" if lost else text)
         return texts
 
-    def _find_where_needed(self, results):
+    def _find_where_needed(self):
         """When each result is needed: always, or if some of the conditions around it hold."""
         needed = {place: NEVER for place in self.order}
-        for place in results:
+        for place in self.places:
             needed[place] = ALWAYS
         for place in reversed(self.order):
             name, *operands = self.program.ops[place]
@@ -174,6 +262,37 @@ class Body:
                     needed[operand] = either(needed[operand], needed[place])
         self.needed = needed
 
+    def _find_alternatives(self):
+        """Costly operations of which one is needed only where a condition holds and the other only where it does not: they are one."""
+        self.alternatives, before = {}, {}
+        for place in self.order:
+            name = self.program.ops[place][0]
+            if name not in COSTLY or name == "norm":
+                continue
+            for other in before.setdefault(name, []):
+                opposite = {(condition, not holds) for condition, holds in surely(self.needed[other])}
+                common = [one for one in opposite & surely(self.needed[place]) if one[0] < other]
+                if common and not self._follows(place, other):
+                    condition, holds = min(common)
+                    yes, no = (place, other) if holds else (other, place)
+                    self.alternatives[place] = self.alternatives[other] = condition, yes, no
+                    before[name].remove(other)
+                    break
+            else:
+                before[name].append(place)
+
+    def _follows(self, place, other):
+        """Whether a result is computed from another one."""
+        todo, seen = [place], set()
+        while todo:
+            one = todo.pop()
+            if one == other:
+                return True
+            if one > other and one not in seen:
+                seen.add(one)
+                todo.extend(self.program.operands(one))
+        return False
+
     def text(self, place):
         number = self.program.number(place)
         if number is not None:
@@ -184,31 +303,43 @@ class Body:
 
     def _write(self, place):
         name, *operands = self.program.ops[place]
-        text = self._operation(place, name, operands)
+        alternatives = self.alternatives.get(place)
+        text = self._either(*alternatives) if alternatives else self._operation(place, name, operands)
+        places = alternatives[1:] if alternatives else (place,)
+        if not self.guards.isdisjoint(places):
+            text, name = f"lib.finite({bare(text)})", "guard"
         # A condition also stands where what is not needed is kept safe.
-        if self.uses[place] == 1 and len(text) <= SHORT and not self.program.is_answer(place):
-            self.texts[place] = text if name in CALLED or name == "select" else f"({text})"
+        if sum(self.uses[k] for k in places) == 1 and len(text) <= SHORT and not self.program.is_answer(place):
+            self.texts[place] = text if name in CALLED or name in ("select", "guard") else f"({text})"
             return
-        self.texts[place] = f"t{len(self.lines) + 1}"
-        self.lines.append(f"{self.texts[place]} = {bare(text)}")
+        name = f"t{len(self.lines) + 1}"
+        self.lines.append(f"{name} = {bare(text)}")
+        self.texts.update(dict.fromkeys(places, name))
 
     def _operation(self, place, name, operands):
-        if name in SAFE:
-            operands = [
-                self.text(operand) if safe is None else self._safely(place, operand, safe)
-                for operand, safe in zip(operands, SAFE[name], strict=True)
-            ]
-        elif name == "select":
+        if name == "select":
             return self._choice(place, *operands)
-        elif name == "less" and self.program.number(operands[0]) == 0.0 and (answer := self._answer(operands[1])):
+        if name == "less" and self.program.number(operands[0]) == 0.0 and (answer := self._answer(operands[1])):
             return answer
-        else:
-            operands = [self.text(operand) for operand in operands]
+        return self._called(name, [self._safely((place,), (operand,), self.text(operand), k) for k, operand in enumerate(operands)])
+
+    def _either(self, condition, yes, no):
+        """One of two alternatives, by their operands."""
+        name, *operands = self.program.ops[yes]
+        texts = []
+        for k, (one, other) in enumerate(zip(operands, self.program.operands(no), strict=True)):
+            text = self.text(one)
+            if one != other:
+                text = f"lib.where({', '.join(map(bare, (self.text(condition), text, self.text(other))))})"
+            texts.append(self._safely((yes, no), (one, other), text, k))
+        return self._called(name, texts)
+
+    def _called(self, name, texts):
         if name in INFIX:
-            return f" {INFIX[name]} ".join(operands)
+            return f" {INFIX[name]} ".join(texts)
         if name == "negative":
-            return f"-{operands[0]}"
-        return f"lib.{CALLED[name]}({', '.join(map(bare, operands))})"
+            return f"-{texts[0]}"
+        return f"lib.{CALLED[name]}({', '.join(map(bare, texts))})"
 
     def _choice(self, place, condition, yes, no):
         texts = [self.text(k) for k in (condition, yes, no)]
@@ -218,6 +349,8 @@ class Body:
             if yes == condition:
                 return f"{texts[0]} | {texts[2]}"
             return f"({texts[0]} & {texts[1]}) | (~{texts[0]} & {texts[2]})"
+        if texts[1] == texts[2]:
+            return texts[1]
         constants = self.program.number(yes) is not None and self.program.number(no) is not None
         return f"lib.{'constants' if constants else 'where'}({', '.join(map(bare, texts))})"
 
@@ -238,16 +371,18 @@ class Body:
             return f"({condition} & {yes})"
         return f"~{condition}" if yes is False and no is True else None
 
-    def _safely(self, place, operand, safe):
-        """An operand of a result, or a safe number where the result is not needed."""
-        needed = self.needed[place]
-        if needed == ALWAYS or self.program.number(operand) is not None or self._decides(place, needed):
-            return self.text(operand)
-        key = operand, safe, needed
+    def _safely(self, places, operands, text, k):
+        """An operand of one or of alternative results, or a safe number where none of them is needed."""
+        safe = SAFE.get(self.program.ops[places[0]][0], ())[k : k + 1]
+        needed = either_of(self.needed[place] for place in places)
+        is_number = all(self.program.number(operand) is not None for operand in operands)
+        if safe in ((), (None,)) or needed in (ALWAYS, NEVER) or is_number or any(self._decides(place, needed) for place in places):
+            return text
+        key = operands, safe, needed
         if key not in self.safe:
-            where = self._where(needed, self.text(operand), repr(safe))
+            holds = bare(self._holds(needed))
             self.safe[key] = f"t{len(self.lines) + 1}"
-            self.lines.append(f"{self.safe[key]} = {where}")
+            self.lines.append(f"{self.safe[key]} = lib.safe({holds}, {bare(text)}, {safe[0]!r})")
         return self.safe[key]
 
     def _decides(self, place, needed):
@@ -261,12 +396,6 @@ class Body:
                 seen.add(one)
                 todo.extend(self.program.operands(one))
         return False
-
-    def _where(self, needed, text, safe):
-        kind, *parts = needed
-        if kind == "both" and parts[0] == ALWAYS and not parts[1][1]:
-            return f"lib.where({self.text(parts[1][0])}, {safe}, {bare(text)})"
-        return f"lib.where({bare(self._holds(needed))}, {bare(text)}, {safe})"
 
     def _holds(self, needed):
         kind, *parts = needed
@@ -287,6 +416,11 @@ def bare(text):
     return text[1:-1] if text.startswith("(") else text
 
 
+def comparisons(tree):
+    """The places of those in a tree."""
+    return [] if isinstance(tree, bool) else [tree[0], *(place for side in tree[1:] for place in comparisons(side))]
+
+
 def conditions(needed):
     kind, *parts = needed
     if kind == "either":
@@ -295,6 +429,14 @@ def conditions(needed):
     elif kind == "both":
         yield parts[1][0]
         yield from conditions(parts[0])
+
+
+def surely(needed):
+    """The conditions, and whether they hold, without which nothing is needed."""
+    kind, *parts = needed
+    if kind == "either":
+        return set.intersection(*map(surely, parts[0]))
+    return {parts[1]} | surely(parts[0]) if kind == "both" else set()
 
 
 def both(needed, condition):
@@ -385,7 +527,8 @@ def accepted(name, program):
 def formula(name, id, program):
     """The functions of a formula, and the object that is called."""
     value = program.body(program.value)
-    text = function(f"_{name}_value", program.names, value.lines, tuple_of(value.values()))
+    values = value.values()
+    text = function(f"_{name}_value", program.names, value.lines, tuple_of(values))
     linearized, entries = "None", []
     if program.jacobian:
         n, m = len(program.names), len(program.value)

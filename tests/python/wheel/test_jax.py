@@ -109,6 +109,76 @@ def test_what_is_not_allowed_is_nan_and_checked_an_error():
         error.throw()
 
 
+def test_transformations_nest():
+    """Maps of maps, derivatives of maps, batches without rows, buffers that are given away."""
+    operation = operations.operation("slot.contact_force")
+    f2, f3 = jnp.array([3.0, 5.0]), jnp.array([4.0, 12.0, 0.0])
+    outer = jax.vmap(jax.vmap(lambda a, b: operation(a, b).fc, (None, 0)), (0, None))(f2, f3)
+    assert near(outer, np.hypot.outer(np.asarray(f2), np.asarray(f3)))
+    slopes = jax.jacrev(jax.vmap(lambda a: operation(a, 4.0).fc))(f2)
+    assert near(slopes, np.diag(f2 / np.hypot(f2, 4.0)))
+    assert jax.vmap(jax.grad(lambda a: operation(a, 4.0).fc))(jnp.zeros(0)).shape == (0,)
+    assert jointproof.element.slot_2d(*[jnp.zeros((0, 2))] * 3, *[jnp.zeros(0)] * 3).matrix.shape == (0, 7, 7)
+    assert near(jax.jit(lambda a: operation(a, 4.0).fc, donate_argnums=0)(f2 + 0.0), np.hypot(f2, 4.0))
+    assert isinstance(operation(3, 4).fc, jax.Array) and near(operation(jnp.array([3, 5]), [4, 12]).fc, [5.0, 13.0])
+
+
+def test_a_jacobian_goes_through_what_is_compiled_and_mapped():
+    f2 = np.array([3.0, 5.0])
+    expected = jointproof.slot.contact_force.linearize(f2, 4.0)
+    for run in (jax.jit, jax.vmap, lambda f: jax.jit(jax.vmap(f))):
+        value, jacobian = run(lambda a: arrays.slot.contact_force.linearize(a, 4.0))(jnp.asarray(f2))
+        assert near(value.fc, expected.value.fc) and near(jacobian.fc.f2, expected.jacobian.fc.f2)
+    row = jax.jit(lambda a: arrays.slot.contact_force.linearize(a, 4.0).jacobian.fc)(3.0)
+    assert near(row.f3, 0.8)
+    changed = jax.jacfwd(lambda a: arrays.slot.contact_force.linearize(a, 4.0).jacobian)(3.0)
+    assert near(changed.fc.f2, 16.0 / 125.0)
+
+
+def test_what_nothing_is_derived_from_is_chosen_without_guards():
+    """What a choice leaves out may be NaN in a value, and in no derivative at any order, at the kink either."""
+    operation = operations.operation("slot.contact_force")
+    lib = arrays._function.library(jnp, np.dtype("float64"))
+    text = str(jax.make_jaxpr(lambda a: operation(a, 0.0).fc)(0.0))
+    assert lib.derived and "select_n" not in text and "sqrt" in text
+    total = lambda x: operation(x[0], x[1]).fc  # noqa: E731
+    zero = jnp.zeros(2)
+    for derive in (jax.grad, jax.hessian, lambda f: jax.jacfwd(jax.hessian(f))):
+        assert not np.any(np.asarray(derive(total)(zero))) and not np.any(np.asarray(jax.jit(derive(total))(zero)))
+
+
+def test_errors_name_the_input():
+    operation = operations.operation("slot.contact_force")
+    for call in (operation, arrays.slot.contact_force):
+        for wrong in (np.array([1j]), "a", None):
+            with pytest.raises(TypeError, match="^f3: "):
+                call(3.0, wrong)
+    with pytest.raises(TypeError, match="f2: .* jointproof.jax.operation has the formula for that"):
+        jax.jit(jointproof.slot.contact_force)(3.0, 4.0)
+    with pytest.raises(KeyError, match="no formula 'contact_force'; there is slot.contact_force and translator"):
+        operations.operation("contact_force")
+    checked = operations.operation("slot.friction", checked=True)
+    with pytest.raises(jointproof.InputError, match="mu is -1.0"):
+        jax.grad(lambda mu: checked(1.0, 3.0, 4.0, 0.0, mu).phi)(-1.0)
+    with pytest.raises(Exception, match="slot.friction: an input is not allowed"):
+        jax.vmap(lambda mu: checked(1.0, 3.0, 4.0, 0.0, mu).phi)(jnp.array([0.25, -1.0]))
+
+
+@pytest.mark.parametrize("id", ["slot.friction", "cardan.angles", "interaction.pressure_exponential", "slide_line.torque_linear"])
+def test_what_is_infinite_is_nan_in_what_depends_on_it(id):
+    """Wherever a comparison, a quotient or a sign would hide it."""
+    formula, function = jointproof.find(id), arrays.find(id)
+    inputs = np.repeat(points(formula, 1), 2 * formula.n, axis=0)
+    for k in range(2 * formula.n):
+        inputs[k, k // 2] = -np.inf if k % 2 else np.inf
+    depends = np.zeros((formula.m, formula.n), bool)
+    depends[tuple(np.array(formula.entries).T)] = True
+    for xp in (np, jnp):
+        found = function(**{name: xp.asarray(x) for name, x in formula.unpack(inputs).items()})
+        packed = np.concatenate([np.reshape(y, (len(inputs), -1)) for y in found], axis=-1)
+        assert np.isnan(packed[::2].T[depends]).all() and np.isnan(packed[1::2].T[depends]).all()
+
+
 def test_what_is_not_there_says_why():
     with pytest.raises(NotImplementedError, match="slide_line.closest_parabolic over arrays: it looks for the closest point"):
         arrays.slide_line.closest_parabolic(1.0)

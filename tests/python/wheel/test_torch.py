@@ -88,6 +88,17 @@ def test_precision_is_kept_and_what_is_not_allowed_is_nan():
         operations.operation("slot.friction", checked=True)(1.0, 3.0, 4.0, 0.0, mu)
 
 
+def test_numbers_are_exact_and_errors_name_the_input():
+    single = torch.tensor([3.0])
+    assert contact_force(0.1, torch.zeros(1, dtype=torch.float64)).fc == contact_force([0.1], 0.0).fc == 0.1
+    assert contact_force(single, np.array([4.0])).fc.dtype == torch.float32
+    for wrong in (torch.tensor([1j]), np.array([1j]), "a", None):
+        with pytest.raises(TypeError, match="^f3: "):
+            contact_force(single, wrong)
+    with pytest.raises(TypeError, match="f2: .* jointproof.torch.operation has the formula for that"):
+        jointproof.slot.contact_force(single.requires_grad_(), 4.0)
+
+
 class Forces(torch.utils.data.Dataset):
     def __len__(self):
         return 4

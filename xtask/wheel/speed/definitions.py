@@ -8,6 +8,8 @@ from __future__ import annotations
 
 from math import e, pi
 
+import numpy as np
+
 
 def dot(a, b):
     return sum(x * y for x, y in zip(a, b))
@@ -95,6 +97,30 @@ def element_arm(lib, *components):
     return [*(x + y for x, y in zip(m, cross(r, f))), *stiffness]
 
 
+def slot_2d(lib, unknowns, *components):
+    """The residual of SLOT in the plane with friction, over displacements and rotations of a and b and the force that keeps the residual at 0."""
+    ua_x, ua_y, turn, ub_x, ub_y, _, f2 = unknowns
+    e2a, xa, xb = (components[k : k + 2] for k in range(0, 6, 2))
+    _, x0, y0, k_stick, fc_int, mu, u1, f1 = components[6:]
+    cos, sin = lib.cos(turn), lib.sin(turn)
+    e2 = [cos * e2a[0] - sin * e2a[1], sin * e2a[0] + cos * e2a[1]]
+    e1 = [e2[1], -e2[0]]
+    d = [xb[0] + ub_x - xa[0] - ua_x, xb[1] + ub_y - xa[1] - ua_y]
+    trial = f1 + k_stick * (dot(e1, d) - x0 - u1)
+    limit = mu * lib.abs(lib.abs(f2) + fc_int)
+    f = lib.where(lib.abs(trial) < limit, trial, limit * lib.sign(trial))
+    on_b = [f2 * e2[k] - f * e1[k] for k in range(2)]
+    return [-on_b[0], -on_b[1], d[1] * on_b[0] - d[0] * on_b[1], *on_b, 0.0 * turn, dot(e2, d) - y0]
+
+
+def slot_2d_points(draw, count):
+    """Inputs of that: some stick, and some slip."""
+    turn = draw.uniform(-3.0, 3.0, count)
+    some = [draw.uniform(-2.0, 2.0, count) for _ in range(7)]
+    k_stick, fc_int, mu = draw.uniform(1.0, 3.0, count), draw.uniform(0.0, 0.1, count), draw.uniform(0.2, 2.0, count)
+    return [-np.sin(turn), np.cos(turn), *some, k_stick, fc_int, mu, *(draw.uniform(-0.5, 0.5, count) for _ in range(2))]
+
+
 DEFINITIONS = {
     "slot.friction": slot_friction,
     "coulomb.response": coulomb_response,
@@ -109,3 +135,5 @@ DEFINITIONS = {
     "interaction.pressure_exponential": interaction_pressure_exponential,
     "element.arm": element_arm,
 }
+#: Elements with friction: their residual over the unknowns, these from the inputs, and inputs of theirs.
+ELEMENTS = {"slot_2d": (slot_2d, lambda x: [*(0.0 * x[0] for _ in range(6)), x[6]], slot_2d_points)}

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Times formulas as operations of JAX beside their equations written by hand, compiled for the CPU, in turns, after their results are compared:
-the value, the gradient of a sum, value and Jacobian point by point, and a loop of many steps.
+the value, the gradient of a sum, value and Jacobian point by point, and a loop of many steps. Of an element the value is the residual, and in
+place of the Jacobian is the matrix of Newton's method, which by hand is the Jacobian of the residual by the unknowns.
 
     python3 xtask/wheel/speed/differentiate.py
 """
@@ -12,7 +13,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 from compare import timed, valid
-from definitions import DEFINITIONS
+from definitions import DEFINITIONS, ELEMENTS
 
 import jointproof
 import jointproof.jax
@@ -26,20 +27,24 @@ def main() -> int:
     parser.add_argument("--points", type=int, default=1_000_000)
     parser.add_argument("--steps", type=int, default=10_000)
     parser.add_argument("--rounds", type=int, default=7)
-    parser.add_argument("--only", choices=list(DEFINITIONS), action="append")
+    parser.add_argument("--only", choices=[*DEFINITIONS, *ELEMENTS], action="append")
     given = parser.parse_args()
     print(f"{given.points} points, {given.rounds} rounds; ms of the operation, and its time by that of what is written by hand")
     print(f"{'':34}" + "".join(f"{name:>20}" for name in WAYS))
-    for id in given.only or DEFINITIONS:
-        shown = "".join(f"{1e3 * ours:12.1f} {ours / theirs:6.2f} " for ours, theirs in compared(id, given.points, given.rounds))
+    for id in given.only or [*DEFINITIONS, *ELEMENTS]:
+        shown = ""
+        for runs, columns in (of_element if id in ELEMENTS else of_formula)(id, given.points):
+            agree(id, *(jax.tree.leaves(run(*columns)) for run in runs))
+            ours, theirs = least(runs, columns, given.rounds)
+            shown += f"{1e3 * ours:12.1f} {ours / theirs:6.2f} "
         print(f"{id:34}{shown}", flush=True)
     ours, theirs = looped(given.steps, given.rounds)
     print(f"coulomb.response, a loop of {given.steps} steps: {1e3 * ours:.2f} ms, {ours / theirs:.2f} times")
     return 0
 
 
-def compared(id, count, rounds):
-    """The least times of the operation and of what is written by hand, in every way."""
+def of_formula(id, count):
+    """The operation and what is written by hand, compiled in every way, and their inputs."""
     formula = jointproof.find(id)
     operation = jointproof.jax.operation(id)
     drawn = valid(formula, 2000)
@@ -48,25 +53,58 @@ def compared(id, count, rounds):
     columns = [jnp.asarray(np.resize(x, count)) for x in drawn.T]
 
     def by_formula(*x):
-        starts = iter(x)
-        inputs = [jnp.stack([next(starts) for _ in range(f.size)]).reshape(f.shape) if f.shape else next(starts) for f in formula.inputs]
-        return [y for part in operation(*inputs) for y in jnp.ravel(part)]
+        return [y for part in operation(*packed(formula.inputs, x)) for y in jnp.ravel(part)]
 
     def by_hand(*x):
         return DEFINITIONS[id](jnp, *x)
 
     every = tuple(range(formula.n))
-    for way in WAYS:
-        both = []
-        for value in (by_formula, by_hand):
-            of = {
-                "value": jax.vmap(value),
-                "grad": jax.vmap(jax.grad(lambda *x, value=value: sum(value(*x)), argnums=every)),
-                "vmap(jacfwd)": jax.vmap(lambda *x, value=value: (value(*x), jax.jacfwd(value, argnums=every)(*x))),
-            }[way]
-            both.append(jax.jit(of))
-        agree(id, *(jax.tree.leaves(run(*columns)) for run in both))
-        yield least(both, columns, rounds)
+
+    def derived(value):
+        return lambda *x: (value(*x), jax.jacfwd(value, argnums=every)(*x))
+
+    return compiled((by_formula, by_hand), (derived(by_formula), derived(by_hand)), columns)
+
+
+def of_element(id, count):
+    residual, unknowns, points = ELEMENTS[id]
+    element = getattr(jointproof.element, id)
+    columns = list(map(jnp.asarray, points(np.random.default_rng(1), count)))
+
+    def contribution(*x):
+        return element(*packed(element.inputs, x))
+
+    def by_element(*x):
+        return list(contribution(*x).residual)
+
+    def matrix_by_element(*x):
+        found = contribution(*x)
+        return list(found.residual), found.matrix
+
+    def by_hand(*x):
+        return residual(jnp, unknowns(x), *x)
+
+    def matrix_by_hand(*x):
+        def of(u):
+            return jnp.stack(residual(jnp, u, *x))
+
+        here = jnp.stack(unknowns(x))
+        return list(of(here)), jax.jacfwd(of)(here)
+
+    return compiled((by_element, by_hand), (matrix_by_element, matrix_by_hand), columns)
+
+
+def packed(fields, x):
+    """The inputs from their components."""
+    starts = iter(x)
+    return [jnp.stack([next(starts) for _ in range(f.size)]).reshape(f.shape) if f.shape else next(starts) for f in fields]
+
+
+def compiled(values, derived, columns):
+    every = tuple(range(len(columns)))
+    grads = [jax.grad(lambda *x, value=value: sum(value(*x)), argnums=every) for value in values]
+    for some in (values, grads, derived):
+        yield [jax.jit(jax.vmap(one)) for one in some], columns
 
 
 def least(runs, inputs, rounds):

@@ -64,8 +64,16 @@ def find(formula):
     if isinstance(formula, Formula):
         return formula
     if formula not in _all:
-        raise KeyError(f"there is no formula {formula!r}")
+        raise KeyError(f"there is no formula {formula!r}{_like(formula)}")
     return _all[formula]
+
+
+def _like(formula):
+    """What was perhaps meant."""
+    from difflib import get_close_matches
+
+    near = [id for id in _all if id.split(".")[1] == formula] or get_close_matches(str(formula), _all, 3)
+    return f"; there is {' and '.join(near)}" if near else "; jointproof.formulas has all"
 
 
 def _families():

@@ -4,6 +4,7 @@ import inspect
 import keyword
 import math
 from collections import namedtuple
+from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -183,13 +184,18 @@ class Formula:
         family, name = self.id.split(".")
         name = named(name)
         self.__name__, self.__module__ = name, f"jointproof.{family}"
-        self.Value: Any = namedtuple(f"{_capitals(name)}Value", self._outputs, module=self.__module__)
-        self.Value.__doc__ = f"The results of {self.id}."
-        # A result that is pickled finds its type by the formula.
-        self.Value.__reduce__ = lambda value, rebuilt=_Rebuilt(self.id): (rebuilt, tuple(value))
         parameters = [inspect.Parameter(field.name, inspect.Parameter.POSITIONAL_OR_KEYWORD) for field in self.inputs]
         out = inspect.Parameter("out", inspect.Parameter.KEYWORD_ONLY, default=None)
         self.__signature__ = inspect.Signature([*parameters, out])
+
+    @cached_property
+    def Value(self) -> Any:
+        """The type of the named results, which takes longer to make than all else of a formula."""
+        made: Any = namedtuple(f"{_capitals(self.__name__)}Value", self._outputs, module=self.__module__)
+        made.__doc__ = f"The results of {self.id}."
+        # A result that is pickled finds its type by the formula.
+        made.__reduce__ = lambda value, rebuilt=_Rebuilt(self.id): (rebuilt, tuple(value))
+        return made
 
     def __repr__(self):
         return f"<{self.id}({', '.join(self._input_names)}): {self.title}>"
@@ -401,7 +407,16 @@ def _plain(field, x):
             )
     if np.ma.is_masked(x):
         raise TypeError(f"{field.name}: some elements are masked, and formulas know no masks; give x.compressed() or x.filled(…)")
-    return np.asarray(x)
+    try:
+        return np.asarray(x)
+    except Exception as why:
+        library = "torch" if type(x).__module__ == "torch" else "jax"
+        if library == "jax" and not type(x).__module__.startswith("jax"):
+            raise
+        raise TypeError(
+            f"{field.name}: {type(x).__name__} is being traced or derived from, and NumPy does neither; "
+            f"jointproof.{library}.operation has the formula for that"
+        ) from why
 
 
 def _expect(name, array, shape):

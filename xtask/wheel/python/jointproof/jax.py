@@ -15,7 +15,8 @@ import jax
 from jax.experimental import checkify
 
 from . import arrays
-from .arrays._function import in_one_library
+from .arrays._function import full, in_one_library
+from .formula import Gradient, Jacobian
 
 if TYPE_CHECKING:
     from .formula import Formula
@@ -37,10 +38,9 @@ def ruled(function, checked=False):
     value = function.value if function.entries is None else _with_rule(function)
 
     def called(*args, **kwargs):
-        lib, inputs = in_one_library([_array(x) for x in function.formula._bound(args, kwargs)])
-        numbers, shape = function.components(lib, inputs)
-        if checked:
-            _check(function, lib, numbers)
+        names = function.formula._input_names
+        lib, inputs = in_one_library(names, _arrays(names, function.formula._bound(args, kwargs)))
+        numbers, shape = function.components(lib, inputs, checked)
         return function.packed(lib, value(lib, *numbers), shape)
 
     called.__name__, called.__doc__, called.__signature__ = function.__name__, function.__doc__, function.__signature__
@@ -65,14 +65,55 @@ def _with_rule(function):
     return value
 
 
-def _array(x):
-    """An array of JAX; a number takes the precision of the others."""
-    return x if isinstance(x, (jax.Array, float, int)) else jax.numpy.asarray(x)
+@lru_cache
+def plain_until_derived(printed):
+    """What is printed, without what only its derivatives need, which are those of the whole."""
+
+    value = jax.custom_jvp(lambda lib, *numbers: full(lib, printed(lib.plain, *numbers), numbers), nondiff_argnums=(0,))
+
+    def rule(lib, primals, tangents):
+        numbers = list(primals)
+        moved = [j for j, tangent in enumerate(tangents) if type(tangent) is not jax.custom_derivatives.SymbolicZero]
+
+        def of(*some):
+            for j, x in zip(moved, some):
+                numbers[j] = x
+            return full(lib, printed(lib, *numbers), numbers)
+
+        return jax.jvp(of, [primals[j] for j in moved], [tangents[j] for j in moved])
+
+    value.defjvp(rule, symbolic_zeros=True)
+    return value
 
 
-def _check(function, lib, numbers):
-    if isinstance(numbers[0], jax.core.Tracer):
-        allowed = "; ".join(f"{field.name}: {field.allowed}" for field in function.formula.inputs)
-        checkify.check(lib.xp.all(function._accepted(lib, *numbers)), f"{function.id}: an input is not allowed; allowed are {allowed}")
-    else:
-        function.check(lib, numbers)
+def _arrays(names, given):
+    """Arrays of JAX; numbers take the precision of the others."""
+    found = []
+    for name, x in zip(names, given):
+        try:
+            found.append(x if isinstance(x, (jax.Array, float, int)) else jax.numpy.asarray(x))
+        except (TypeError, ValueError) as why:
+            raise TypeError(f"{name}: {why}") from None
+    return found if any(isinstance(x, jax.Array) for x in found) else [jax.numpy.asarray(x) for x in found]
+
+
+def check_traced(function, holds):
+    """Hands what is not allowed to checkify, if it is not known yet whether all inputs are."""
+    if not isinstance(holds, jax.core.Tracer):
+        return False
+    allowed = "; ".join(f"{field.name}: {field.allowed}" for field in function.formula.inputs)
+    checkify.check(holds, f"{function.id}: an input is not allowed; allowed are {allowed}")
+    return True
+
+
+# Jacobians go in and out of what is compiled and mapped.
+jax.tree_util.register_pytree_node(
+    Jacobian,
+    lambda of: ((of.array,), (tuple(of._outputs.items()), tuple(of._inputs.items()))),
+    lambda fields, parts: Jacobian(*parts, *map(dict, fields)),
+)
+jax.tree_util.register_pytree_node(
+    Gradient,
+    lambda of: ((of._rows,), (of._output, tuple(of._inputs.items()))),
+    lambda fields, parts: Gradient(*parts, fields[0], dict(fields[1])),
+)

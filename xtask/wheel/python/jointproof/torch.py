@@ -13,6 +13,7 @@ from functools import lru_cache, reduce
 from typing import TYPE_CHECKING, Any
 
 import array_api_compat.torch
+import numpy as np
 import torch
 from torch.autograd import forward_ad
 
@@ -35,7 +36,8 @@ def _operation(id, checked):
     value = function.value if function.entries is None else _ruled(function)
 
     def called(*args, **kwargs):
-        lib, inputs = _tensors(function.formula._bound(args, kwargs))
+        names = function.formula._input_names
+        lib, inputs = _tensors(names, function.formula._bound(args, kwargs))
         numbers, shape = function.components(lib, inputs, checked)
         return function.packed(lib, value(lib, *numbers), shape)
 
@@ -47,14 +49,23 @@ def _operation(id, checked):
 _LIBRARIES = {dtype: Library(array_api_compat.torch, dtype) for dtype in (torch.float64, torch.float32, torch.bfloat16, torch.float16)}
 
 
-def _tensors(given):
-    """The library of some inputs, and these as tensors in one precision on one device; without tensors they are doubles."""
+def _tensors(names, given):
+    """The library of inputs of these names, and these as tensors in one precision on one device; without tensors they are doubles."""
     tensors = [x for x in given if isinstance(x, torch.Tensor)]
     dtype, device = torch.float64, tensors[0].device if tensors else None
     floating = [x.dtype for x in tensors if x.dtype.is_floating_point]
     if floating:
         dtype = reduce(torch.promote_types, floating)
-    return _LIBRARIES[dtype], [torch.as_tensor(x, dtype=dtype, device=device) for x in given]
+    return _LIBRARIES[dtype], [_real(name, x, dtype, device) for name, x in zip(names, given)]
+
+
+def _real(name, x, dtype, device):
+    if getattr(x, "dtype", dtype) in (torch.complex64, torch.complex128, np.complex64, np.complex128):
+        raise TypeError(f"{name}: numbers of type {x.dtype} are not real")
+    try:
+        return torch.as_tensor(x, dtype=dtype, device=device)
+    except (TypeError, ValueError) as why:
+        raise TypeError(f"{name}: {why}") from None
 
 
 def _ruled(function):
@@ -66,7 +77,7 @@ def _ruled(function):
         @staticmethod
         def forward(lib, *numbers):
             # A result may not be an input itself.
-            return tuple(y.clone() for y in function.value(lib, *numbers))
+            return tuple(y.clone() for y in function.value(lib.plain, *numbers))
 
         @staticmethod
         def setup_context(ctx, inputs, output):

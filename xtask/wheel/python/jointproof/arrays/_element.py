@@ -7,7 +7,7 @@ import array_api_compat as compat
 import numpy as np
 
 from ..formula import bound, described, fields_of
-from ._function import components, full, in_one_library
+from ._function import components, in_one_library
 
 
 class Contribution(NamedTuple):
@@ -52,6 +52,8 @@ class Element:
         self.id, self.__name__ = id, id
         self._forms = [(fields_of(said), shapes, value) for said, shapes, value in (smooth, rubbing or smooth)]
         fields, more = (form[0] for form in self._forms)
+        #: Those with friction; without it those of friction are left out, which come last.
+        self.inputs = more
         lines = [f"{title}.", "", "Inputs:", *map(described, fields)]
         if rubbing:
             lines += ["", "With friction also:", *map(described, more[len(fields) :])]
@@ -64,14 +66,15 @@ class Element:
         smooth, rubbing = self._forms
         rubs = len(args) > len(smooth[0]) or not {field.name for field in smooth[0]} >= set(kwargs)
         fields, shapes, value = rubbing if rubs else smooth
-        lib, inputs = in_one_library(bound(f"element {self.id}", [field.name for field in fields], args, kwargs))
+        names = [field.name for field in fields]
+        lib, inputs = in_one_library(names, bound(f"element {self.id}", names, args, kwargs))
         numbers, shape = components(lib, fields, inputs)
         with np.errstate(all="ignore"):
-            results = full(lib, value(lib, *numbers), numbers)
+            results = lib.run(value, numbers)
         found, start = {}, 0
         for name, own in shapes:
             parts = results[start : start + math.prod(own)]
             start += len(parts)
-            packed = lib.xp.stack(parts, axis=-1) if parts else numbers[0][..., None][..., :0]
+            packed = lib.joined(parts) if parts else numbers[0][..., None][..., :0]
             found[name] = lib.xp.reshape(packed, (*shape, *own))
         return Contribution(**found)

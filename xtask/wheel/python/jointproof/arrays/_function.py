@@ -1,7 +1,7 @@
 """A printed formula over arrays: what is called, and what it computes with."""
 
 import math
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import Any
 
 import array_api_compat as compat
@@ -11,14 +11,33 @@ from ..formula import Jacobian, Linearized, broadcast
 
 
 class Library:
-    """The functions that printed formulas call, of one library in one precision. None has NaN as a derivative where a formula has one."""
+    """The functions that printed formulas call, of one library in one precision. None has NaN as a derivative where a formula has one,
+    unless it is not ``derived``: then what a choice does not take may be NaN, which saves the choices that keep it finite."""
 
-    def __init__(self, xp, dtype):
-        self.xp, self.dtype, self.nan = xp, dtype, math.nan
+    def __init__(self, xp, dtype, derived=True):
+        self.xp, self.dtype, self.derived, self.nan = xp, dtype, derived, math.nan
+        self.is_jax, self.is_torch = compat.is_jax_namespace(xp), compat.is_torch_namespace(xp)
         #: 2^27 + 1 in doubles.
         self.splitter = 2.0 ** round(-math.log2(xp.finfo(dtype).eps) / 2 + 0.6) + 1.0
         for name in ("abs", "sqrt", "sin", "cos", "asin", "exp", "expm1", "atan2", "maximum", "where"):
             setattr(self, name, getattr(xp, name))
+
+    @cached_property
+    def plain(self):
+        """The same for what nothing is derived from."""
+        return Library(self.xp, self.dtype, derived=False) if self.derived else self
+
+    def run(self, printed, numbers):
+        """The results of printed lines, as arrays."""
+        if self.derived and self.is_jax:
+            from ..jax import plain_until_derived
+
+            return plain_until_derived(printed)(self, *numbers)
+        return full(self, printed(self, *numbers), numbers)
+
+    def safe(self, needed, x, number):
+        """An operand where its result is needed, and a safe number elsewhere."""
+        return self.where(needed, x, number) if self.derived else x
 
     def constants(self, condition, yes, no):
         """One of two numbers, in this precision."""
@@ -27,6 +46,8 @@ class Library:
     def norm(self, *parts):
         """The length of a vector, with the derivative 0 at the zero vector."""
         square = sum((x * x for x in parts[1:]), parts[0] * parts[0])
+        if not self.derived:
+            return self.sqrt(square)
         is_zero = square == 0.0
         return self.where(is_zero, 0.0, self.sqrt(self.where(is_zero, 1.0, square)))
 
@@ -49,15 +70,19 @@ class Library:
     def sign(self, x):
         """−1, 0 or 1; NaN of NaN."""
         # That of PyTorch is 0 for NaN, and mended by writing into it, which cannot be mapped.
-        return x.sign() + 0.0 * x if compat.is_torch_namespace(self.xp) else self.xp.sign(x)
+        return x.sign() + 0.0 * x if self.is_torch else self.xp.sign(x)
 
     def finite(self, x):
-        """A number, NaN if it is not finite."""
-        return x + 0.0 * x
+        """A number, NaN if it is not finite; its derivative is 1."""
+        return x + 0.0 * self.still(x) if self.derived else x + 0.0 * x
 
-    def allowed(self, x, holds):
-        """A number, NaN if it is not finite or something does not hold."""
-        return self.where(holds, self.finite(x), self.nan)
+    def still(self, x):
+        """The same number, from which nothing is derived."""
+        if self.is_jax:
+            from jax.lax import stop_gradient
+
+            return stop_gradient(x)
+        return x.detach() if self.is_torch else x
 
     def are_finite(self, *x):
         """Whether all numbers are."""
@@ -66,20 +91,28 @@ class Library:
             finite = finite & self.xp.isfinite(one)
         return finite
 
+    def joined(self, parts):
+        """Components along a last axis."""
+        # Not stacked, for JAX maps that along another axis.
+        return self.xp.concat([x[..., None] for x in parts], axis=-1)
+
     def parts(self, x):
         """The components along the last axis."""
-        if not compat.is_jax_namespace(self.xp):
+        if not self.is_jax:
             return [x[..., k] for k in range(x.shape[-1])]
         # Backwards this joins what the components have; slices would add arrays with zeros beside each.
         return [self.xp.reshape(part, x.shape[:-1]) for part in self.xp.split(x, x.shape[-1], axis=-1)]
 
 
-library = lru_cache(Library)
+@lru_cache
+def library(xp, dtype):
+    is_plain = compat.is_numpy_namespace(xp) or compat.is_cupy_namespace(xp) or compat.is_dask_namespace(xp)
+    return Library(xp, dtype, derived=not is_plain)
 
 
-def in_one_library(given):
-    """The library of some inputs, and these as its arrays in one precision, on one device; numbers and arrays of NumPy go along with
-    arrays of others."""
+def in_one_library(names, given):
+    """The library of inputs of these names, and these as its arrays in one precision, on one device; numbers and arrays of NumPy go along
+    with arrays of others."""
     arrays = [x for x in given if compat.is_array_api_obj(x)]
     arrays = [x for x in arrays if not compat.is_numpy_array(x)] or arrays or [np.asarray(0.0)]
     xp = compat.array_namespace(*arrays)
@@ -87,12 +120,16 @@ def in_one_library(given):
     lib = library(xp, xp.result_type(*floating) if floating else xp.asarray(0.0).dtype)
     device = None if compat.is_jax_array(arrays[0]) else compat.device(arrays[0])
 
-    def array(x):
-        if any(x is one for one in arrays):
-            return x if x.dtype == lib.dtype else xp.astype(x, lib.dtype)
-        return xp.asarray(x, dtype=lib.dtype, device=device)
+    def array(name, x):
+        if isinstance(x, (int, float)):
+            return xp.asarray(x, dtype=lib.dtype, device=device)
+        if not any(x is one for one in arrays):
+            x = xp.asarray(x, device=device)
+        if not xp.isdtype(x.dtype, ("bool", "integral", "real floating")):
+            raise TypeError(f"{name}: numbers of type {x.dtype} are not real")
+        return x if x.dtype == lib.dtype else xp.astype(x, lib.dtype)
 
-    return lib, [array(x) for x in given]
+    return lib, [array(*one) for one in zip(names, given)]
 
 
 def components(lib, fields, inputs):
@@ -115,7 +152,9 @@ def components(lib, fields, inputs):
 
 def full(lib, results, numbers):
     """Results that are the same everywhere as arrays."""
-    return tuple(y + lib.xp.zeros_like(numbers[0]) if isinstance(y, float) else y for y in results)
+    if isinstance(results, tuple):
+        return tuple(full(lib, y, numbers) for y in results)
+    return results + lib.xp.zeros_like(numbers[0]) if isinstance(results, float) else results
 
 
 class Missing:
@@ -153,7 +192,7 @@ class Function:
         return f"<{self.id} over arrays>"
 
     def __call__(self, *args: Any, checked: bool = False, **kwargs: Any) -> Any:
-        lib, inputs = in_one_library(self.formula._bound(args, kwargs))
+        lib, inputs = in_one_library(self.formula._input_names, self.formula._bound(args, kwargs))
         numbers, shape = self.components(lib, inputs, checked)
         with np.errstate(all="ignore"):
             return self.packed(lib, self.value(lib, *numbers), shape)
@@ -162,7 +201,7 @@ class Function:
         """Value and Jacobian together, as the formula has them, the Jacobian in closed form."""
         if self.entries is None:
             raise NotImplementedError(f"{self.id}: its Jacobian is automatic; let the library of your arrays derive it")
-        lib, inputs = in_one_library(self.formula._bound(args, kwargs))
+        lib, inputs = in_one_library(self.formula._input_names, self.formula._bound(args, kwargs))
         numbers, shape = self.components(lib, inputs, checked)
         with np.errstate(all="ignore"):
             values, entries = self.linearized(lib, *numbers)
@@ -170,17 +209,16 @@ class Function:
             dense = [zero] * (self.formula.m * self.formula.n)
             for (i, j), entry in zip(self.entries, entries):
                 dense[i * self.formula.n + j] = zero + entry
-            array = lib.xp.reshape(lib.xp.stack(dense, axis=-1), (*shape, self.formula.m, self.formula.n))
+            array = lib.xp.reshape(lib.joined(dense), (*shape, self.formula.m, self.formula.n))
             return Linearized(self.packed(lib, values, shape), Jacobian(array, self.formula._outputs, self.formula._inputs))
 
     def value(self, lib, *numbers):
         """The components of the outputs from those of the inputs, NaN where these are not allowed."""
-        return full(lib, self._value(lib, *numbers), numbers)
+        return lib.run(self._value, numbers)
 
     def linearized(self, lib, *numbers):
         """The same, and the entries of the Jacobian that are not always 0."""
-        values, entries = self._linearized(lib, *numbers)
-        return full(lib, values, numbers), full(lib, entries, numbers)
+        return lib.run(self._linearized, numbers)
 
     def components(self, lib, inputs, checked=False):
         """The components of all inputs, broadcast against each other, and the shape of each."""
@@ -191,8 +229,14 @@ class Function:
 
     def check(self, lib, numbers):
         """Raises the formula's error for what is not allowed."""
-        if not bool(lib.xp.all(self._accepted(lib, *numbers))):
-            told = [np.asarray(x.detach().cpu() if hasattr(x, "detach") else x) for x in numbers]
+        holds = lib.xp.all(self._accepted(lib, *numbers))
+        if lib.is_jax:
+            from ..jax import check_traced
+
+            if check_traced(self, holds):
+                return
+        if not bool(holds):
+            told = [np.asarray(x.cpu() if lib.is_torch else x) for x in map(lib.still, numbers)]
             self.formula(**self.formula.unpack(np.stack(told, axis=-1)))
             raise ValueError(f"{self.id}: what is allowed in doubles is not in {lib.dtype}")
 
@@ -201,5 +245,5 @@ class Function:
         results = []
         for field in self.formula.outputs:
             parts = numbers[field.places]
-            results.append(lib.xp.reshape(lib.xp.stack(parts, axis=-1), (*shape, *field.shape)) if field.shape else parts[0])
+            results.append(lib.xp.reshape(lib.joined(parts), (*shape, *field.shape)) if field.shape else parts[0])
         return self.formula.Value(*results)
