@@ -7,6 +7,7 @@ use crate::toolkit::graph::{Binary, Node, Op, Unary};
 use num_traits::{One, Signed, Zero};
 use rustc_hash::FxHashMap;
 use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Range;
 
 /// Trials of a point at which all roots exist.
 const TRIALS: u64 = 4096;
@@ -49,6 +50,9 @@ pub enum Rule {
     /// One part is at most so many times another one, since their ratio is a quotient of linear functions of a number that has bounds:
     /// an input, a number compared with a constant, or the ratio of two numbers that are compared.
     Range(Part, Part, Node),
+    /// A part of the denominator of a normwise bound, which is a form of a number from the first of these on, is at most that, in its row
+    /// and in its column.
+    Beside(Node, usize),
 }
 
 /// The left parts together are at most the right ones together.
@@ -61,6 +65,10 @@ pub(super) struct Inequality {
 /// The parts of a result on one way.
 pub(super) struct Parts<'a> {
     way: &'a Way<'a>,
+    /// The components of the inputs, if the denominator is normwise.
+    fields: Option<&'a [Range<usize>]>,
+    /// The first of the points.
+    start: u64,
     values: BTreeMap<Node, Values>,
     signs: Signs,
     /// The derivatives of the result: with respect to each number and, if there are several, each of its uses.
@@ -74,22 +82,78 @@ pub(super) struct Parts<'a> {
     first: Vec<(Part, u64)>,
     /// What rounding loads parts with, and an operation that does.
     pub(super) load: BTreeMap<Atom, (Rational, Node)>,
-    /// What parts may carry for each unit of the bound: those of inputs, and the result.
-    pub(super) room: BTreeMap<Atom, Rational>,
+    /// What parts may carry for each unit of the bound: those of inputs, and the result. Of a normwise bound, what the rows and the columns
+    /// of the denominator may, for each unit of the weight of a result beside.
+    pub(super) room: BTreeMap<Atom, (usize, Rational)>,
+    /// The parts of the denominator of a normwise bound, each with its row and its column.
+    sizes: BTreeMap<(Node, usize), [Atom; 2]>,
+    /// The equations between parts, each with the parts that add up to 0.
+    equations: Vec<Vec<(Rational, Part)>>,
     /// Whether more than the first order counts.
     pub(super) is_first_order: bool,
 }
 
 impl<'a> Parts<'a> {
-    pub(super) fn new(way: &'a Way<'a>, bounds: &[[Option<f64>; 2]]) -> Result<Self, Obstacle> {
+    pub(super) fn new(
+        way: &'a Way<'a>,
+        bounds: &[[Option<f64>; 2]],
+        fields: Option<&'a [Range<usize>]>,
+    ) -> Result<Self, Obstacle> {
         let order = Order::of(way);
-        let values = values(way, &order.nodes)?;
+        let values = values(way, &order.nodes, 0)?;
         let signs = Signs::of(way, bounds, &order, &values);
         let is_first_order = signs.is_first_order(way);
-        let (forms, slopes, uses) = (BTreeMap::new(), BTreeMap::new(), BTreeMap::new());
+        let mut parts = Self { signs, is_first_order, ..Self::at(way, values, fields, 0)? };
+        parts.loads();
+        parts.equations = parts.equations();
+        parts.beside()?;
+        Ok(parts)
+    }
+
+    /// The parts at other points.
+    fn elsewhere(&self, start: u64) -> Result<Self, Obstacle> {
+        let values = values(self.way, &self.way.nodes, start)?;
+        let mut parts = Self::at(self.way, values, self.fields, start)?;
+        parts.beside()?;
+        Ok(parts)
+    }
+
+    /// The parts of the first result.
+    fn at(
+        way: &'a Way<'a>,
+        values: BTreeMap<Node, Values>,
+        fields: Option<&'a [Range<usize>]>,
+        start: u64,
+    ) -> Result<Self, Obstacle> {
+        let (forms, slopes, uses, sizes) = (BTreeMap::new(), BTreeMap::new(), BTreeMap::new(), BTreeMap::new());
         let (known, first, load, room) = (FxHashMap::default(), Vec::new(), BTreeMap::new(), BTreeMap::new());
-        let mut parts = Self { way, values, signs, forms, slopes, uses, known, first, load, room, is_first_order };
-        parts.all()?;
+        let (signs, is_first_order, equations) = (Signs::default(), false, Vec::new());
+        let mut parts = Self {
+            way,
+            fields,
+            start,
+            values,
+            signs,
+            forms,
+            slopes,
+            uses,
+            known,
+            first,
+            load,
+            room,
+            sizes,
+            equations,
+            is_first_order,
+        };
+        parts.slopes = way.nodes.iter().map(|&node| (node, parts.slopes(node))).collect();
+        for (node, uses) in parts.derivatives(way.results[0])? {
+            let mut forms = vec![total(&uses)];
+            if uses.len() > 1 {
+                forms.extend(uses.iter().map(|(by, _)| *by));
+                parts.uses.insert(node, uses.into_iter().map(|(_, part)| part).collect());
+            }
+            parts.forms.insert(node, forms);
+        }
         Ok(parts)
     }
 
@@ -97,45 +161,82 @@ impl<'a> Parts<'a> {
         self.first.len()
     }
 
-    /// Hands the derivatives on from the result to all that it is computed from; loads and rooms.
-    fn all(&mut self) -> Result<(), Obstacle> {
-        let mut open: BTreeMap<Node, Vec<(Values, Part)>> = BTreeMap::new();
+    /// The derivatives of a result with respect to every use of all that it is computed from.
+    fn derivatives(&self, result: Node) -> Result<BTreeMap<Node, Vec<(Values, Part)>>, Obstacle> {
+        let mut uses = BTreeMap::from([(result, vec![([1; POINTS], Part(result, 0, 0))])]);
         for &node in self.way.nodes.iter().rev() {
-            let mut forms: Vec<Values> = Vec::new();
-            if node == self.way.result {
-                forms.push([1; POINTS]);
-            }
-            if let Some(uses) = open.remove(&node) {
-                forms.push(uses.iter().map(|(by, _)| *by).reduce(|x, y| sum(&x, &y)).unwrap_or_default());
-                if uses.len() > 1 {
-                    forms.extend(uses.iter().map(|(by, _)| *by));
-                    self.uses.insert(node, uses.into_iter().map(|(_, part)| part).collect());
-                }
-            }
-            let Some(total) = forms.first().copied() else { continue };
+            let Some(total) = uses.get(&node).map(|uses| total(uses)) else { continue };
             if matches!(self.way.graph.op(node), Op::Search(..)) {
                 return Err(Obstacle::Search);
             }
-            self.forms.insert(node, forms);
-            let slopes = self.slopes(node);
-            for (k, (operand, slope)) in slopes.iter().enumerate() {
+            for (k, (operand, slope)) in self.slopes[&node].iter().enumerate() {
                 let by = product(&total, slope);
                 if by != [0; POINTS] {
-                    open.entry(*operand).or_default().push((by, Part(node, 0, k + 1)));
+                    uses.entry(*operand).or_default().push((by, Part(node, 0, k + 1)));
                 }
             }
-            self.slopes.insert(node, slopes);
+        }
+        Ok(uses)
+    }
+
+    /// Loads and rooms.
+    fn loads(&mut self) {
+        for node in
+            self.way.nodes.iter().copied().rev().filter(|node| self.forms.contains_key(node)).collect::<Vec<_>>()
+        {
             // A number that is always 0 has no part, but what it is made of may have.
             let Some((factor, atom)) = self.atom(Part(node, 0, 0)) else { continue };
             let roundings = self.way.roundings(node) * factor.abs();
             if roundings.is_positive() {
                 self.load.entry(atom).or_insert((Rational::zero(), node)).0 += roundings;
             }
-            for _ in 0..u8::from(matches!(self.way.graph.op(node), Op::Input(_))) + u8::from(node == self.way.result) {
-                *self.room.entry(atom).or_default() += factor.abs();
+            let rooms =
+                u8::from(matches!(self.way.graph.op(node), Op::Input(_))) + u8::from(node == self.way.results[0]);
+            for _ in (0..rooms).filter(|_| self.fields.is_none()) {
+                self.room.entry(atom).or_insert((0, Rational::zero())).1 += factor.abs();
+            }
+        }
+    }
+
+    /// The denominator of a normwise bound: of each result beside, its size, and its derivatives with respect to the components of a
+    /// field times other components of the same field. No sum over one of each row and column exceeds the product of the lengths.
+    fn beside(&mut self) -> Result<(), Obstacle> {
+        let Some(fields) = self.fields else { return Ok(()) };
+        let inputs = self.way.nodes.iter().filter_map(|&node| match self.way.graph.op(node) {
+            Op::Input(k) => Some((*k, node)),
+            _ => None,
+        });
+        let inputs: BTreeMap<usize, Node> = inputs.collect();
+        for (weight, &result) in self.way.results.iter().enumerate() {
+            let by = self.derivatives(result)?;
+            let limit = self.limit(weight);
+            self.size(result, [1; POINTS], [limit; 2]);
+            for field in fields {
+                let inputs: Vec<Node> = field.clone().filter_map(|k| inputs.get(&k)).copied().collect();
+                let limits: Vec<_> = inputs.iter().map(|_| [self.limit(weight), self.limit(weight)]).collect();
+                for (by, [row, _]) in
+                    inputs.iter().map(|node| by.get(node).map_or([0; POINTS], |uses| total(uses))).zip(&limits)
+                {
+                    for (&input, [_, column]) in inputs.iter().zip(&limits) {
+                        self.size(input, by, [*row, *column]);
+                    }
+                }
             }
         }
         Ok(())
+    }
+
+    /// A row or a column of the denominator.
+    fn limit(&mut self, weight: usize) -> Atom {
+        self.first.push((Part(self.way.results[0], 0, 0), 0));
+        self.room.insert(self.first.len() - 1, (weight, Rational::one()));
+        self.first.len() - 1
+    }
+
+    fn size(&mut self, node: Node, by: Values, limits: [Atom; 2]) {
+        let forms = self.forms.entry(node).or_insert_with(|| vec![[0; POINTS]]);
+        forms.push(by);
+        self.sizes.insert((node, forms.len() - 1), limits);
     }
 
     /// The operands of an operation, and the derivatives of its result with respect to them.
@@ -143,7 +244,7 @@ impl<'a> Parts<'a> {
         let operands = self.way.operands(node).unwrap_or_default();
         let x: Vec<Values> = operands.iter().map(|operand| self.values[operand]).collect();
         let (value, one) = (self.values[&node], [1; POINTS]);
-        let symbol = || std::array::from_fn(|k| field::random([k as u64, node.index() as u64, 2]));
+        let symbol = || std::array::from_fn(|k| field::random([self.start + k as u64, node.index() as u64, 2]));
         // Of a sum of products, the other factors of the same one.
         let others = |start: usize, length: usize, place: usize| {
             let places = (start..start + length).filter(|&other| other != place);
@@ -244,8 +345,8 @@ impl<'a> Parts<'a> {
 
     /// The rules that serve to find a proof.
     pub(super) fn rules(&mut self) -> BTreeMap<Rule, Inequality> {
-        let mut names = Vec::new();
-        let equations = self.equations();
+        let mut names: Vec<Rule> = self.sizes.keys().map(|&(node, form)| Rule::Beside(node, form)).collect();
+        let equations = std::mem::take(&mut self.equations);
         for equation in &equations {
             names.extend((0..equation.len()).map(|k| Rule::Sum(with_first(equation, k))));
             let values: Vec<_> = equation.iter().map(|&(_, part)| self.value(part).unwrap_or_default()).collect();
@@ -273,7 +374,8 @@ impl<'a> Parts<'a> {
         };
         let mut bounded = add(self, names);
         loop {
-            let found = self.eliminated(&equations, &bounded);
+            let found =
+                if self.fields.is_some() { self.spanned(&bounded) } else { self.eliminated(&equations, &bounded) };
             let more = add(self, found);
             if more == bounded {
                 return rules;
@@ -328,6 +430,48 @@ impl<'a> Parts<'a> {
             Some(Rule::Sum(std::iter::once(Some(first)).chain(others).collect::<Option<_>>()?))
         };
         solved.into_iter().filter_map(named).collect()
+    }
+
+    /// Equations for parts that are not bounded, in terms of bounded parts: by the values at more points than there are such parts.
+    fn spanned(&self, bounded: &[bool]) -> Vec<Rule> {
+        let named = |is_bounded: bool| {
+            let atoms = (0..self.count()).filter(move |&atom| bounded[atom] == is_bounded && self.first[atom].1 != 0);
+            atoms.map(|atom| self.first[atom].0)
+        };
+        let mut parts: Vec<Part> = named(true).collect();
+        let count = parts.len();
+        parts.extend(named(false));
+        let mut rows: Vec<(usize, Vec<u64>)> = Vec::new();
+        for start in 1.. {
+            let Ok(elsewhere) = self.elsewhere(start * POINTS as u64) else { return Vec::new() };
+            let values: Vec<Values> = parts.iter().map(|&part| elsewhere.value(part).unwrap_or_default()).collect();
+            let before = rows.len();
+            for k in 0..POINTS {
+                let mut row: Vec<u64> = values.iter().map(|values| values[k]).collect();
+                for (pivot, other) in &rows {
+                    field::subtract(&mut row, other, *pivot);
+                }
+                let Some(pivot) = row.iter().position(|&x| x != 0) else { continue };
+                let unit = field::inverse(row[pivot]).unwrap_or_default();
+                row.iter_mut().for_each(|x| *x = field::multiply(*x, unit));
+                for (_, other) in &mut rows {
+                    field::subtract(other, &row, pivot);
+                }
+                rows.push((pivot, row));
+            }
+            if rows.len() == before {
+                break;
+            }
+        }
+        let equation = |place: usize| {
+            let terms = rows.iter().filter(|(_, row)| row[place] != 0);
+            let terms = terms.map(|&(pivot, ref row)| {
+                let factor = field::to_rational(field::negative(row[place]))?;
+                (pivot < count).then_some((factor, parts[pivot]))
+            });
+            Some(Rule::Sum(std::iter::once(Some((Rational::one(), parts[place]))).chain(terms).collect::<Option<_>>()?))
+        };
+        (count..parts.len()).filter_map(equation).collect()
     }
 
     /// Which parts can be moved on to inputs and to the result.
@@ -390,6 +534,12 @@ impl<'a> Parts<'a> {
                 }
                 right.extend(self.atom(Part(node, form, 0)).map(|(factor, atom)| (atom, factor)));
             }
+            &Rule::Beside(node, form) => {
+                let limits =
+                    *self.sizes.get(&(node, form)).ok_or_else(|| format!("{rule:?} is no part of the denominator"))?;
+                left.extend(self.atom(Part(node, form, 0)).map(|(factor, atom)| (atom, factor)));
+                right.extend(limits.map(|limit| (limit, Rational::one())));
+            }
             &Rule::Range(part, other, by) => {
                 let values = [part, other].map(|part| self.value(part));
                 let [Some(first), Some(second)] = values else { return Err(format!("{rule:?} names no parts")) };
@@ -416,6 +566,11 @@ impl<'a> Parts<'a> {
     }
 }
 
+/// The derivative with respect to a number, of those with respect to its uses.
+fn total(uses: &[(Values, Part)]) -> Values {
+    uses.iter().map(|(by, _)| *by).reduce(|x, y| sum(&x, &y)).unwrap_or_default()
+}
+
 /// The same equation with another term first.
 fn with_first(equation: &[(Rational, Part)], k: usize) -> Vec<(Rational, Part)> {
     let mut terms = equation.to_vec();
@@ -432,7 +587,7 @@ struct Step<'a> {
 }
 
 /// The numbers of a way, and those that its comparisons compare, at all points.
-fn values(way: &Way, nodes: &[Node]) -> Result<BTreeMap<Node, Values>, Obstacle> {
+fn values(way: &Way, nodes: &[Node], start: u64) -> Result<BTreeMap<Node, Values>, Obstacle> {
     let mut values: BTreeMap<Node, Values> = nodes.iter().map(|&node| (node, [0; POINTS])).collect();
     let places: BTreeMap<Node, usize> = nodes.iter().enumerate().map(|(place, &node)| (node, place)).collect();
     let operands = |node: Node| way.operands(node).unwrap_or_default().iter().map(|operand| places[operand]).collect();
@@ -442,15 +597,13 @@ fn values(way: &Way, nodes: &[Node]) -> Result<BTreeMap<Node, Values>, Obstacle>
         .map(|&node| Step { node, op: way.graph.op(node), operands: operands(node), constant: constant(node) })
         .collect();
     let mut not_squares = BTreeSet::new();
-    for point in 0..POINTS as u64 {
+    for (k, point) in (start..start + POINTS as u64).enumerate() {
         let mut trials = (0..TRIALS).map(|trial| at_point(&steps, point * TRIALS + trial, &mut not_squares));
         let found = trials.find_map(|found| found).ok_or(Obstacle::Roots)?;
-        for (values, value) in values.values_mut().zip(found) {
-            values[usize::try_from(point).unwrap_or(0)] = value;
-        }
+        values.values_mut().zip(found).for_each(|(values, value)| values[k] = value);
     }
     // The root of a square is a magnitude, whose sign the root in the field does not have. Of others every second root does not exist.
-    let mut more = POINTS as u64 * TRIALS..(POINTS as u64 + 1) * TRIALS;
+    let mut more = (start + POINTS as u64) * TRIALS..(start + POINTS as u64 + 1) * TRIALS;
     let roots = nodes.iter().filter(|node| matches!(way.graph.op(**node), Op::Unary(Unary::Root, _) | Op::Norm(_)));
     for root in roots {
         let is_no_square = |of: &BTreeSet<Node>| of.contains(root);
