@@ -2,7 +2,8 @@
 
 use super::field::{Rational, to_f64};
 use super::parts::{Atom, Inequality, Obstacle, Parts, Rule};
-use super::way::{Answers, MOST_WAYS, Way, are_all, ways};
+use super::possible::{MOST_WAYS, are_all, ways};
+use super::way::{Answers, Way};
 use crate::formula::Field;
 use crate::toolkit::graph::{Graph, Node, bounds};
 use num_traits::{CheckedAdd, CheckedDiv, CheckedMul, Signed, Zero};

@@ -1,6 +1,9 @@
 //! The parts of a result on one way, what rounding loads them with, and the rules by which a load moves from part to part.
 
+mod rules;
+
 use super::field::{self, POINTS, Rational, Values, opposite, product, reciprocal, sum};
+use super::points::values;
 use super::sign::{Order, Signs};
 use super::way::Way;
 use crate::toolkit::graph::{Binary, Node, Op, Unary};
@@ -8,9 +11,6 @@ use num_traits::{One, Signed, Zero};
 use rustc_hash::FxHashMap;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
-
-/// Trials of a point at which all roots exist.
-const TRIALS: u64 = 4096;
 
 /// The factors of a sum have so few bits together that no sum is 0 at all points by chance.
 const DIGITS: u32 = 400;
@@ -100,7 +100,7 @@ impl<'a> Parts<'a> {
         fields: Option<&'a [Range<usize>]>,
     ) -> Result<Self, Obstacle> {
         let order = Order::of(way);
-        let values = values(way, &order.nodes, 0)?;
+        let values = values(way, &order.nodes, 0).ok_or(Obstacle::Roots)?;
         let signs = Signs::of(way, bounds, &order, &values);
         let is_first_order = signs.is_first_order(way);
         let mut parts = Self { signs, is_first_order, ..Self::at(way, values, fields, 0)? };
@@ -112,7 +112,7 @@ impl<'a> Parts<'a> {
 
     /// The parts at other points.
     fn elsewhere(&self, start: u64) -> Result<Self, Obstacle> {
-        let values = values(self.way, &self.way.nodes, start)?;
+        let values = values(self.way, &self.way.nodes, start).ok_or(Obstacle::Roots)?;
         let mut parts = Self::at(self.way, values, self.fields, start)?;
         parts.beside()?;
         Ok(parts)
@@ -343,154 +343,6 @@ impl<'a> Parts<'a> {
         }
     }
 
-    /// The rules that serve to find a proof.
-    pub(super) fn rules(&mut self) -> BTreeMap<Rule, Inequality> {
-        let mut names: Vec<Rule> = self.sizes.keys().map(|&(node, form)| Rule::Beside(node, form)).collect();
-        let equations = std::mem::take(&mut self.equations);
-        for equation in &equations {
-            names.extend((0..equation.len()).map(|k| Rule::Sum(with_first(equation, k))));
-            let values: Vec<_> = equation.iter().map(|&(_, part)| self.value(part).unwrap_or_default()).collect();
-            for bounded in &self.signs.bounded {
-                let pairs = (0..values.len()).flat_map(|k| (0..values.len()).map(move |other| (k, other)));
-                let pairs = pairs.filter(|&(k, other)| k != other && values[k][0] != 0 && values[other][0] != 0);
-                let is_range = |&(k, other): &(usize, usize)| bounded.most(&values[k], &values[other]).is_some();
-                names.extend(
-                    pairs.filter(is_range).map(|(k, other)| Rule::Range(equation[k].1, equation[other].1, bounded.by)),
-                );
-            }
-        }
-        let sums: Vec<_> = self.forms.iter().filter(|(node, _)| self.signs.adds_up(**node)).collect();
-        names.extend(
-            sums.into_iter().flat_map(|(&node, forms)| (0..forms.len()).map(move |form| Rule::Parts(node, form))),
-        );
-        let mut rules = BTreeMap::new();
-        let mut add = |parts: &mut Self, names: Vec<Rule>| {
-            for name in names {
-                if let Ok(inequality) = parts.inequality(&name) {
-                    rules.insert(name, inequality);
-                }
-            }
-            parts.bounded(&rules)
-        };
-        let mut bounded = add(self, names);
-        loop {
-            let found =
-                if self.fields.is_some() { self.spanned(&bounded) } else { self.eliminated(&equations, &bounded) };
-            let more = add(self, found);
-            if more == bounded {
-                return rules;
-            }
-            bounded = more;
-        }
-    }
-
-    /// Equations that follow from these, each for one part that is not bounded, in terms of bounded parts.
-    fn eliminated(&mut self, equations: &[Vec<(Rational, Part)>], bounded: &[bool]) -> Vec<Rule> {
-        type Row = BTreeMap<Atom, u64>;
-        let is_open = |atom: Atom| !bounded.get(atom).copied().unwrap_or_default();
-        let unknown = |row: &Row| row.keys().filter(|&&atom| is_open(atom)).count();
-        let mut rows: Vec<Row> = Vec::new();
-        for equation in equations {
-            let mut row = Row::new();
-            for &(sign, part) in equation {
-                let Some((factor, atom)) = self.atom(part) else { continue };
-                let factor = field::of_rational(sign * factor).unwrap_or_default();
-                let entry = row.entry(atom).or_default();
-                *entry = field::add(*entry, factor);
-            }
-            row.retain(|_, factor| *factor != 0);
-            rows.extend(Some(row).filter(|row| unknown(row) > 0));
-        }
-        rows.sort_by_key(unknown);
-        let mut solved: BTreeMap<Atom, Row> = BTreeMap::new();
-        let subtract = |row: &mut Row, atom: Atom, other: &Row| {
-            let Some(factor) = row.get(&atom).map(|factor| field::negative(*factor)) else { return };
-            for (&atom, &of) in other {
-                let entry = row.entry(atom).or_default();
-                *entry = field::add(*entry, field::multiply(factor, of));
-            }
-            row.retain(|_, factor| *factor != 0);
-        };
-        for mut row in rows {
-            for (&atom, other) in &solved {
-                subtract(&mut row, atom, other);
-            }
-            let Some(atom) = row.keys().copied().find(|&atom| is_open(atom)) else { continue };
-            let per_atom = field::inverse(row[&atom]).unwrap_or_default();
-            let row: Row = row.into_iter().map(|(other, factor)| (other, field::multiply(factor, per_atom))).collect();
-            for other in solved.values_mut() {
-                subtract(other, atom, &row);
-            }
-            solved.insert(atom, row);
-        }
-        let named = |(atom, row): (Atom, Row)| {
-            let first = (unknown(&row) == 1).then(|| (Rational::one(), self.first[atom].0))?;
-            let others = row.iter().filter(|(other, _)| **other != atom);
-            let others = others.map(|(&other, &factor)| Some((field::to_rational(factor)?, self.first[other].0)));
-            Some(Rule::Sum(std::iter::once(Some(first)).chain(others).collect::<Option<_>>()?))
-        };
-        solved.into_iter().filter_map(named).collect()
-    }
-
-    /// Equations for parts that are not bounded, in terms of bounded parts: by the values at more points than there are such parts.
-    fn spanned(&self, bounded: &[bool]) -> Vec<Rule> {
-        let named = |is_bounded: bool| {
-            let atoms = (0..self.count()).filter(move |&atom| bounded[atom] == is_bounded && self.first[atom].1 != 0);
-            atoms.map(|atom| self.first[atom].0)
-        };
-        let mut parts: Vec<Part> = named(true).collect();
-        let count = parts.len();
-        parts.extend(named(false));
-        let mut rows: Vec<(usize, Vec<u64>)> = Vec::new();
-        for start in 1.. {
-            let Ok(elsewhere) = self.elsewhere(start * POINTS as u64) else { return Vec::new() };
-            let values: Vec<Values> = parts.iter().map(|&part| elsewhere.value(part).unwrap_or_default()).collect();
-            let before = rows.len();
-            for k in 0..POINTS {
-                let mut row: Vec<u64> = values.iter().map(|values| values[k]).collect();
-                for (pivot, other) in &rows {
-                    field::subtract(&mut row, other, *pivot);
-                }
-                let Some(pivot) = row.iter().position(|&x| x != 0) else { continue };
-                let unit = field::inverse(row[pivot]).unwrap_or_default();
-                row.iter_mut().for_each(|x| *x = field::multiply(*x, unit));
-                for (_, other) in &mut rows {
-                    field::subtract(other, &row, pivot);
-                }
-                rows.push((pivot, row));
-            }
-            if rows.len() == before {
-                break;
-            }
-        }
-        let equation = |place: usize| {
-            let terms = rows.iter().filter(|(_, row)| row[place] != 0);
-            let terms = terms.map(|&(pivot, ref row)| {
-                let factor = field::to_rational(field::negative(row[place]))?;
-                (pivot < count).then_some((factor, parts[pivot]))
-            });
-            Some(Rule::Sum(std::iter::once(Some((Rational::one(), parts[place]))).chain(terms).collect::<Option<_>>()?))
-        };
-        (count..parts.len()).filter_map(equation).collect()
-    }
-
-    /// Which parts can be moved on to inputs and to the result.
-    pub(super) fn bounded(&self, rules: &BTreeMap<Rule, Inequality>) -> Vec<bool> {
-        let mut is_bounded = vec![false; self.count()];
-        self.room.keys().for_each(|&atom| is_bounded[atom] = true);
-        loop {
-            let before = is_bounded.iter().filter(|is| **is).count();
-            for rule in rules.values() {
-                if rule.right.iter().all(|&(_, atom)| is_bounded[atom]) {
-                    rule.left.iter().for_each(|&(_, atom)| is_bounded[atom] = true);
-                }
-            }
-            if is_bounded.iter().filter(|is| **is).count() == before {
-                return is_bounded;
-            }
-        }
-    }
-
     /// What a rule says.
     ///
     /// # Errors
@@ -557,96 +409,9 @@ impl<'a> Parts<'a> {
         let (left, right) = (plain(left), plain(right));
         if left.is_empty() { Err(format!("{rule:?} bounds nothing")) } else { Ok(Inequality { left, right }) }
     }
-
-    /// The first operation whose rounding no rule moves on to an input or to the result.
-    pub(super) fn obstacle(&self, rules: &BTreeMap<Rule, Inequality>) -> Option<Obstacle> {
-        let is_bounded = self.bounded(rules);
-        let missing = self.load.iter().filter(|(atom, _)| !is_bounded[**atom]).map(|(_, &(_, node))| node);
-        missing.min().map(Obstacle::Rounding)
-    }
 }
 
 /// The derivative with respect to a number, of those with respect to its uses.
 fn total(uses: &[(Values, Part)]) -> Values {
     uses.iter().map(|(by, _)| *by).reduce(|x, y| sum(&x, &y)).unwrap_or_default()
-}
-
-/// The same equation with another term first.
-fn with_first(equation: &[(Rational, Part)], k: usize) -> Vec<(Rational, Part)> {
-    let mut terms = equation.to_vec();
-    terms[..=k].rotate_right(1);
-    terms
-}
-
-/// An operation, its operands by position, and its value if it is an exact constant.
-struct Step<'a> {
-    node: Node,
-    op: &'a Op,
-    operands: Vec<usize>,
-    constant: Option<u64>,
-}
-
-/// The numbers of a way, and those that its comparisons compare, at all points.
-fn values(way: &Way, nodes: &[Node], start: u64) -> Result<BTreeMap<Node, Values>, Obstacle> {
-    let mut values: BTreeMap<Node, Values> = nodes.iter().map(|&node| (node, [0; POINTS])).collect();
-    let places: BTreeMap<Node, usize> = nodes.iter().enumerate().map(|(place, &node)| (node, place)).collect();
-    let operands = |node: Node| way.operands(node).unwrap_or_default().iter().map(|operand| places[operand]).collect();
-    let constant = |node: Node| way.exact(node).and_then(field::of_rational);
-    let steps: Vec<_> = nodes
-        .iter()
-        .map(|&node| Step { node, op: way.graph.op(node), operands: operands(node), constant: constant(node) })
-        .collect();
-    let mut not_squares = BTreeSet::new();
-    for (k, point) in (start..start + POINTS as u64).enumerate() {
-        let mut trials = (0..TRIALS).map(|trial| at_point(&steps, point * TRIALS + trial, &mut not_squares));
-        let found = trials.find_map(|found| found).ok_or(Obstacle::Roots)?;
-        values.values_mut().zip(found).for_each(|(values, value)| values[k] = value);
-    }
-    // The root of a square is a magnitude, whose sign the root in the field does not have. Of others every second root does not exist.
-    let mut more = (start + POINTS as u64) * TRIALS..(start + POINTS as u64 + 1) * TRIALS;
-    let roots = nodes.iter().filter(|node| matches!(way.graph.op(**node), Op::Unary(Unary::Root, _) | Op::Norm(_)));
-    for root in roots {
-        let is_no_square = |of: &BTreeSet<Node>| of.contains(root);
-        while !is_no_square(&not_squares) {
-            let point = more.next().ok_or(Obstacle::Roots)?;
-            at_point(&steps, point, &mut not_squares);
-        }
-    }
-    Ok(values)
-}
-
-/// The numbers at one point; `None` where a root or a quotient does not exist. Roots that do not are noted.
-fn at_point(steps: &[Step], point: u64, not_squares: &mut BTreeSet<Node>) -> Option<Vec<u64>> {
-    let (mut values, mut is_point): (Vec<u64>, _) = (Vec::with_capacity(steps.len()), true);
-    for &Step { node, op, ref operands, constant } in steps {
-        let symbol = || field::random([point, node.index() as u64, 0]);
-        let x: Vec<u64> = operands.iter().map(|&operand| values[operand]).collect();
-        let products = |x: &[u64]| x.iter().copied().reduce(field::multiply).unwrap_or(1);
-        let mut root = |square: u64| {
-            let is_other = field::random([point, node.index() as u64, 1]) & 1 == 1;
-            let root = field::root(square).map(|root| if is_other { field::negative(root) } else { root });
-            root.unwrap_or_else(|| {
-                not_squares.insert(node);
-                is_point = false;
-                symbol()
-            })
-        };
-        let value = match op {
-            Op::Number(_) => constant.unwrap_or_else(symbol),
-            Op::Unary(Unary::Negative, _) => field::negative(x[0]),
-            // The sign is as unknown as a number.
-            Op::Unary(Unary::Absolute, _) => field::multiply(x[0], symbol()),
-            Op::Unary(Unary::Root, _) => root(x[0]),
-            Op::Binary(Binary::Add, ..) => field::add(x[0], x[1]),
-            Op::Binary(Binary::Subtract, ..) => field::add(x[0], field::negative(x[1])),
-            Op::Binary(Binary::Multiply, ..) => products(&x),
-            Op::Binary(Binary::Divide, ..) => field::multiply(x[0], field::inverse(x[1])?),
-            Op::MultiplyAdd(..) => field::add(products(&x[..2]), x[2]),
-            Op::ExactSum(_) => x.chunks(4).map(products).fold(0, field::add),
-            Op::Norm(_) => root(x.iter().map(|&x| field::multiply(x, x)).fold(0, field::add)),
-            _ => symbol(),
-        };
-        values.push(value);
-    }
-    is_point.then_some(values)
 }

@@ -1,12 +1,50 @@
-//! Ways that no inputs take, as their comparisons contradict each other.
+//! All ways of results but those that no inputs take, as their comparisons contradict each other.
 
 use super::way::{Answers, Way};
 use crate::toolkit::graph::{Binary, Graph, Node, Op, Relation, Unary};
 use std::collections::BTreeSet;
 
+/// More ways of one result than this are not examined.
+pub const MOST_WAYS: usize = 128;
+
+/// The answers of every possible way of results; `None` if there are too many.
+pub(super) fn ways(graph: &Graph, results: &[Node]) -> Option<Vec<Answers>> {
+    let (mut open, mut found) = (vec![Answers::new()], Vec::new());
+    while let Some(answers) = open.pop() {
+        match Way::new(graph, &answers, results) {
+            Ok(_) => found.push(answers),
+            Err(undecided) => open.extend([false, true].into_iter().filter_map(|answer| {
+                let mut answers = answers.clone();
+                answers.insert(undecided, answer);
+                is_possible(graph, &answers).then_some(answers)
+            })),
+        }
+        if found.len() + open.len() > MOST_WAYS {
+            return None;
+        }
+    }
+    Some(found)
+}
+
+/// Whether all answers that comparisons may have, together with those given, belong to one of these ways.
+pub(super) fn are_all(graph: &Graph, ways: &[Answers], given: &Answers) -> bool {
+    if ways.iter().any(Answers::is_empty) {
+        return true;
+    }
+    let Some(comparison) = ways.first().and_then(|way| way.keys().next()).copied() else {
+        return !is_possible(graph, given);
+    };
+    [false, true].into_iter().all(|answer| {
+        let consistent = ways.iter().filter(|way| way.get(&comparison).is_none_or(|&known| known == answer));
+        let rest = |way: &Answers| way.iter().filter(|&(&node, _)| node != comparison).map(|(&n, &a)| (n, a)).collect();
+        let given = given.iter().map(|(&n, &a)| (n, a)).chain([(comparison, answer)]).collect();
+        are_all(graph, &consistent.map(rest).collect::<Vec<_>>(), &given)
+    })
+}
+
 /// Whether comparisons may come out so: no number that is said not to be 0 vanishes with one that is said to. A proof is about operations
 /// that do not leave the range of doubles, so a length or a magnitude below all normal numbers is 0, and none is infinite.
-pub(super) fn is_possible(graph: &Graph, answers: &Answers) -> bool {
+fn is_possible(graph: &Graph, answers: &Answers) -> bool {
     let Ok(way) = Way::new(graph, answers, &[]) else { return true };
     let resolved = |node: Node| way.resolved(node).unwrap_or(node);
     let is_size = |node: Node| matches!(graph.op(resolved(node)), Op::Norm(_) | Op::Unary(Unary::Absolute, _));

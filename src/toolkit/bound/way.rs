@@ -1,11 +1,7 @@
 //! The ways through the branches of a graph: on each of them a result is computed without a choice.
 
-use super::possible::is_possible;
 use crate::toolkit::graph::{Binary, Graph, Node, Op, Unary};
 use std::collections::BTreeMap;
-
-/// More ways of one result than this are not examined.
-pub const MOST_WAYS: usize = 128;
 
 /// The answers of comparisons on which a way depends; and for a maximum, whether it is its first operand.
 pub type Answers = BTreeMap<Node, bool>;
@@ -95,39 +91,4 @@ impl<'a> Way<'a> {
         }
         Ok((0..needed.len()).filter(|&place| needed[place]).map(Node::at).collect())
     }
-}
-
-/// The answers of every possible way of results; `None` if there are too many.
-pub(super) fn ways(graph: &Graph, results: &[Node]) -> Option<Vec<Answers>> {
-    let (mut open, mut found) = (vec![Answers::new()], Vec::new());
-    while let Some(answers) = open.pop() {
-        match Way::new(graph, &answers, results) {
-            Ok(_) => found.push(answers),
-            Err(undecided) => open.extend([false, true].into_iter().filter_map(|answer| {
-                let mut answers = answers.clone();
-                answers.insert(undecided, answer);
-                is_possible(graph, &answers).then_some(answers)
-            })),
-        }
-        if found.len() + open.len() > MOST_WAYS {
-            return None;
-        }
-    }
-    Some(found)
-}
-
-/// Whether all answers that comparisons may have, together with those given, belong to one of these ways.
-pub(super) fn are_all(graph: &Graph, ways: &[Answers], given: &Answers) -> bool {
-    if ways.iter().any(Answers::is_empty) {
-        return true;
-    }
-    let Some(comparison) = ways.first().and_then(|way| way.keys().next()).copied() else {
-        return !is_possible(graph, given);
-    };
-    [false, true].into_iter().all(|answer| {
-        let consistent = ways.iter().filter(|way| way.get(&comparison).is_none_or(|&known| known == answer));
-        let rest = |way: &Answers| way.iter().filter(|&(&node, _)| node != comparison).map(|(&n, &a)| (n, a)).collect();
-        let given = given.iter().map(|(&n, &a)| (n, a)).chain([(comparison, answer)]).collect();
-        are_all(graph, &consistent.map(rest).collect::<Vec<_>>(), &given)
-    })
 }
