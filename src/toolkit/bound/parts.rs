@@ -9,7 +9,7 @@ use super::way::Way;
 use crate::toolkit::graph::{Binary, Node, Op, Unary};
 use num_traits::{One, Signed, Zero};
 use rustc_hash::FxHashMap;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::ops::Range;
 
 /// The factors of a sum have so few bits together that no sum is 0 at all points by chance.

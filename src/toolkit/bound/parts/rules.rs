@@ -2,7 +2,6 @@
 
 use super::{Atom, Inequality, Obstacle, Part, Parts, Rule, field};
 use crate::toolkit::bound::field::{POINTS, Rational, Values};
-use crate::toolkit::graph::{Binary, Op};
 use num_traits::One;
 use std::collections::BTreeMap;
 
