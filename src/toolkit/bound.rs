@@ -7,6 +7,10 @@
 //! is larger than the other two together. A bound C is proved if every load ends on parts of inputs and on y itself, on none of them more
 //! than C: then the error is at most C u (Σ |∂y/∂xᵢ · xᵢ| + |y|).
 //!
+//! A normwise bound compares the error with the largest size of several results y_j, by whole vectors: |y_j| + Σ |∂y_j/∂x| |x|. There loads
+//! end on y_j, or on products of ∂y_j/∂x_i and another component x_k of the same vector, which together are at most |∂y_j/∂x| |x| if their
+//! amounts add up to at most 1 for each i and for each k. The largest sum of amounts for each y_j, added up over j, is the bound.
+//!
 //! A [`Certificate`] says how often each rule is used. Finding one is a linear programme, which is [solved](prove) elsewhere; checking
 //! one needs only sums of fractions. Parts that are the same up to a factor, whatever the inputs are, count as one: this is tested modulo
 //! a prime, at points where numbers look random.
@@ -19,6 +23,8 @@ mod exact;
 mod field;
 mod file;
 mod parts;
+mod points;
+mod possible;
 mod sign;
 mod summary;
 mod way;
@@ -27,5 +33,6 @@ pub use certificate::{Certificate, Programme, check, prove};
 pub use field::Rational;
 pub use file::{Head, Line, Proof};
 pub use parts::{Part, Rule};
+pub use possible::MOST_WAYS;
 pub use summary::{Summary, accuracy};
-pub use way::{Answers, MOST_WAYS};
+pub use way::Answers;

@@ -61,12 +61,13 @@ def times(*factors: list) -> tuple:
     return tuple(math.prod(at_point) % PRIME for at_point in zip(*factors))
 
 
-def are_all(ways: list) -> bool:
-    """Whether one of these ways is taken however comparisons come out."""
+def are_all(ways: list, possible=lambda given: True, given: dict = {}) -> bool:
+    """Whether one of these ways is taken however comparisons come out, unless they contradict each other."""
     if not ways or not all(ways):
-        return bool(ways)
+        return bool(ways) or not possible(given)
     at = next(iter(ways[0]))
-    return all(are_all([{k: v for k, v in way.items() if k != at} for way in ways if way.get(at, it) == it]) for it in (False, True))
+    consistent = lambda it: [{k: v for k, v in way.items() if k != at} for way in ways if way.get(at, it) == it]
+    return all(are_all(consistent(it), possible, {**given, at: it}) for it in (False, True))
 
 
 def computed(name: str, x: list, t: int, slope: int) -> tuple:
@@ -91,11 +92,60 @@ def computed(name: str, x: list, t: int, slope: int) -> tuple:
     return t, [{"exponential": t, "exponential minus one": t + 1}.get(name, slope)]
 
 
-class Way:
-    """The numbers of a way through the branches of a graph, at points, and what is known of their signs."""
+class Branches:
+    """A graph, and how some comparisons come out."""
+
+    def __init__(self, ops: list, answers: dict):
+        self.ops, self.answers = ops, answers
+
+    def resolved(self, n: int) -> int:
+        while self.ops[n][0] in ("select", "maximum"):
+            *condition, yes, no = self.ops[n][1:]
+            at = self.resolved(condition[0]) if condition else n
+            demand(at in self.answers, f"the way does not say how {at} comes out")
+            n = yes if self.answers[at] else no
+        return n
+
+    def literal(self, n: int):
+        return struct.unpack(">d", bytes.fromhex(self.ops[n][1]))[0] if self.ops[n][0] == "number" else None
+
+    def vanishing(self, n: int) -> set:
+        """The numbers that are 0 if this one is; if it is chosen by a comparison that is not known, on either side."""
+        try:
+            name, *x = self.ops[n := self.resolved(n)]
+        except Refused:
+            return set.intersection(*map(self.vanishing, self.ops[n][-2:]))
+        x = x if name in ("norm", "negative", "absolute") else [x[1 - k] for k in (0, 1) if self.literal(x[k])] if name == "multiply" else []
+        return {n}.union(*map(self.vanishing, x))
+
+    def possible(self) -> bool:
+        """Whether no number that is not 0 vanishes with others. What is below all normal numbers is 0, and nothing is infinite."""
+        zeros, others = set(), []
+        for name, x, y, answer in ((*self.ops[by], answer) for by, answer in self.answers.items() if self.ops[by][0] != "maximum"):
+            low, high = self.literal(x), self.literal(y)
+            if name == "equal" and high == 0:
+                zeros, others = (zeros | self.vanishing(x), others) if answer else (zeros, [*others, x])
+            elif name == "less" and high == math.inf and not answer:
+                return False
+            elif name != "equal" and answer and low and low > 0:
+                others.append(y)
+            elif name == "less or equal" and not answer and low == sys.float_info.min:
+                zeros |= self.vanishing(y)
+        return not any(self.same(x) in zeros for x in others)
+
+    def same(self, n: int) -> int:
+        try:
+            return self.resolved(n)
+        except Refused:
+            return n
+
+
+class Way(Branches):
+    """The numbers of a way through the branches, at points, and what is known of their signs."""
 
     def __init__(self, ops: list, answers: dict, results: list):
-        self.ops, self.answers, self.exact, self.less, self.sign = ops, answers, {}, [], defaultdict(int)
+        super().__init__(ops, answers)
+        self.exact, self.less, self.sign = {}, [], defaultdict(int)
         for by, answer in answers.items():
             name, x, y = ops[by]
             try:
@@ -104,7 +154,8 @@ class Way:
                 continue
             orders = (answer, answer) if name == "equal" else (answer, not answer)
             self.less += [(*order, by) for holds, order in zip(orders, (pair, pair[::-1])) if holds]
-        self.nodes = self.needed([*map(self.resolved, results), *(x for pair in self.less for x in pair[:2])])
+        self.inputs = {op[1]: n for n, op in enumerate(ops) if op[0] == "input"}
+        self.nodes = self.needed([*map(self.resolved, results), *self.inputs.values(), *(x for pair in self.less for x in pair[:2])])
         points = [self.point(k) for k in POINTS]
         self.value, self.slopes = ({n: [point[of][n] for point in points] for n in self.nodes} for of in (0, 1))
         learned = {0: 0}
@@ -114,14 +165,6 @@ class Way:
             self.bounded = [*self.bounds()]
             learned = {n: sign for n in self.nodes if not self.sign[n] and (sign := self.sign_by_ratio(n))}
             self.sign.update(learned)
-
-    def resolved(self, n: int) -> int:
-        while self.ops[n][0] in ("select", "maximum"):
-            *condition, yes, no = self.ops[n][1:]
-            at = self.resolved(condition[0]) if condition else n
-            demand(at in self.answers, f"the way does not say how {at} comes out")
-            n = yes if self.answers[at] else no
-        return n
 
     def operands(self, n: int) -> list:
         name, *operands = self.ops[n]
@@ -140,7 +183,7 @@ class Way:
         """A literal of at most twenty bits, and what is made of such ones without rounding; others may stand for numbers without end."""
         name, known = self.ops[n][0], [self.exact[x] for x in self.operands(n)]
         if name == "number":
-            x = struct.unpack(">d", bytes.fromhex(self.ops[n][1]))[0]
+            x = self.literal(n)
             return Fraction(x) if math.isfinite(x) and bits(Fraction(x)) <= 20 else None
         if name not in FOLDED or None in known or name == "divide" and not known[1]:
             return None
@@ -188,7 +231,7 @@ class Way:
             if name == "subtract" and set(x) == {less, more}:
                 known |= 1 if x[0] == more else 2
         if name == "number":
-            value = struct.unpack(">d", bytes.fromhex(data[0]))[0]
+            value = self.literal(n)
             return known | (value >= 0) | 2 * (value <= 0)
         if name == "input":
             return known | (data[1] is not None and data[1] >= 0) | 2 * (data[2] is not None and data[2] <= 0)
@@ -253,19 +296,38 @@ def between(p: tuple, q: tuple, z: tuple, low, high):
 class Parts:
     """The parts of a result on a way: what is loaded on them, and what they may carry for each unit of the bound."""
 
-    def __init__(self, way: Way, result: int):
-        self.way, self.forms, self.firsts = way, {}, defaultdict(list)
-        self.load, self.room, uses = defaultdict(Fraction), defaultdict(Fraction), defaultdict(list)
-        uses[result := way.resolved(result)].append([1] * len(POINTS))
-        for n in reversed(way.needed([result])):
-            total = [sum(at_point) % PRIME for at_point in zip(*uses[n])] or [0] * len(POINTS)
-            self.forms[n] = [total, *uses[n]]
-            for k, x in enumerate(way.operands(n)):
-                if any(use := times(total, [slopes[k] for slopes in way.slopes[n]])):
-                    uses[x].append(use)
+    def __init__(self, way: Way, result: int, beside=None, fields: list = []):
+        self.way, self.firsts, self.sizes = way, defaultdict(list), {}
+        self.load, self.room = defaultdict(Fraction), defaultdict(Fraction)
+        self.forms = self.derivatives(result := way.resolved(result))
+        for n, forms in self.forms.items():
             for factor, atom in self.atom(self.part(n, 0, 0)):
                 self.load[atom] += way.roundings(n) * abs(factor)
-                self.room[atom] += abs(factor) * ((way.ops[n][0] == "input") + (n == result))
+                self.room[atom] += abs(factor) * ((way.ops[n][0] == "input") + (n == result)) * (beside is None)
+        for weight, other in enumerate([] if beside is None else [result, *map(way.resolved, beside)]):
+            by = self.derivatives(other)
+            self.size(other, [1] * len(POINTS), (weight,))
+            for field in fields:
+                for row in (inputs := [way.inputs[k] for k in field if k in way.inputs]):
+                    for column in inputs:
+                        self.size(column, by[row][0] if row in by else [0] * len(POINTS), (weight, row), (weight, None, column))
+
+    def derivatives(self, result: int) -> dict:
+        """Those of a result with respect to every number, in all and, where there are several, for each use."""
+        uses, forms = defaultdict(list, {result: [[1] * len(POINTS)]}), {}
+        for n in reversed(self.way.needed([result])):
+            total = [sum(at_point) % PRIME for at_point in zip(*uses[n])] or [0] * len(POINTS)
+            forms[n] = [total, *uses[n]] if len(uses[n]) > 1 else [total]
+            for k, x in enumerate(self.way.operands(n)):
+                if any(use := times(total, [slopes[k] for slopes in self.way.slopes[n]])):
+                    uses[x].append(use)
+        return forms
+
+    def size(self, n: int, by: list, *limits: tuple) -> None:
+        """A part of the denominator of a normwise bound: what its row and its column carry, each counts once for each weight."""
+        self.forms.setdefault(n, [[0] * len(POINTS)]).append(by)
+        self.sizes[n, len(self.forms[n]) - 1] = limits
+        self.room.update(dict.fromkeys(limits, Fraction(1)))
 
     def part(self, n: int, form: int, place: int) -> tuple:
         """A number times the derivative with respect to it; or of an operand, as far as this operation uses it."""
@@ -302,6 +364,10 @@ class Parts:
                 for factor, atom in self.atom(self.part(*what, k + 1)):
                     left[atom] += abs(factor)
             right |= {atom: factor for factor, atom in self.atom(self.part(*what, 0))}
+        elif rule == "beside":
+            demand((what := tuple(what)) in self.sizes, f"{what} is no part of the denominator")
+            left = {atom: factor for factor, atom in self.atom(self.part(*what, 0))}
+            right |= dict.fromkeys(self.sizes[what], Fraction(1))
         else:
             demand(rule == "range", f"no rule is called {rule}")
             first, second = (self.part(*part) for part in what[:2])
@@ -316,26 +382,47 @@ class Parts:
     def bound(self) -> Fraction:
         rest = {atom: load for atom, load in self.load.items() if load > 0}
         demand(all(self.room[atom] for atom in rest), "something is left that no input carries")
-        return max((load / self.room[atom] for atom, load in rest.items()), default=Fraction(0))
+        bounds = defaultdict(Fraction)
+        for atom, load in rest.items():
+            weight = atom[0] if self.sizes else 0
+            bounds[weight] = max(bounds[weight], load / self.room[atom])
+        return sum(bounds.values(), Fraction(0))
 
 
-def check(certificates: str, graph: bytes) -> tuple:
+def groups(value: list, jacobian: list, inputs: list, outputs: list) -> dict:
+    """The results beside each: the other components of an output or, of a derivative, of the same input unless that is a scalar."""
+    found, count = {}, sum(map(len, inputs))
+    for field in outputs:
+        for k in field:
+            found.setdefault(value[k], []).append({value[other] for other in field})
+            for by in inputs if jacobian else []:
+                for i in by:
+                    others = [(k, other) for other in by] if len(by) > 1 else [(other, i) for other in field]
+                    found.setdefault(jacobian[k * count + i], []).append({jacobian[other * count + i] for other, i in others})
+    return {result: set.intersection(*all_) for result, all_ in found.items()}
+
+
+def check(certificates: str, graph: bytes, shapes: tuple = ((), ())) -> tuple:
     """The numbers of certificates and of open results in a file; Refused if one does not hold."""
     head, *lines = map(json.loads, certificates.splitlines())
     demand(head["graph"] == hashlib.sha256(graph).hexdigest(), "it is about another graph")
     *ops, value, jacobian = map(json.loads, graph.decode().splitlines())
-    by_result, by_way = defaultdict(list), defaultdict(list)
+    fields = [[range(sum(of[:k]), sum(of[: k + 1])) for k in range(len(of))] for of in shapes]
+    beside, by_result, by_way = groups(value[1:], jacobian[1:], *fields), defaultdict(list), defaultdict(list)
     for line in lines:
         by_result[line["result"]].append(line)
         by_way[tuple(map(tuple, line.get("way", ())))].append(line)
     demand(set(by_result) == set(value[1:] + jacobian[1:]), "something is said of other results, or not of all")
     for result, of in by_result.items():
-        demand(are_all([dict(line["way"]) for line in of]) if "way" in of[0] else len(of) == 1, f"{result}: not on every way")
+        possible = lambda given: Branches(ops, given).possible()
+        ways = [dict(line.get("way", ())) for line in of]
+        demand(are_all(ways, possible) if "way" in of[0] else len(of) == 1, f"{result}: not on every way")
+        demand(all({*line.get("beside", ())} <= beside.get(result, set()) for line in of), f"{result}: something is not beside it")
     for answers, of in by_way.items():
         of = [line for line in of if "open" not in line]
-        way = Way(ops, dict(answers), [line["result"] for line in of])
+        way = Way(ops, dict(answers), [n for line in of for n in (line["result"], *line.get("beside", ()))])
         for line in of:
-            parts = Parts(way, line["result"])
+            parts = Parts(way, line["result"], line.get("beside"), fields[0])
             for rule, amount, *what in line["steps"]:
                 demand((amount := Fraction(amount)) >= 0, "a negative amount")
                 parts.use(rule, amount, *what)
@@ -348,11 +435,17 @@ def check(certificates: str, graph: bytes) -> tuple:
     return sum("steps" in line for line in lines), sum("open" in line for line in lines)
 
 
+def shapes(golden: Path) -> tuple:
+    """The numbers of components of the inputs and of the outputs of a formula."""
+    formula = json.loads(golden.read_text())
+    return tuple([math.prod(field["shape"]) for field in formula[of]] for of in ("inputs", "outputs"))
+
+
 def main(graphs: Path, bounds: Path) -> int:
     files, proved, failed = sorted(bounds.glob("*.jsonl")), 0, 0
     for file in files:
         try:
-            proved += check(file.read_text(), (graphs / file.name).read_bytes())[0]
+            proved += check(file.read_text(), (graphs / file.name).read_bytes(), shapes(bounds.parent / f"{file.stem}.json"))[0]
         except (Refused, LookupError, TypeError, ValueError, ArithmeticError, OSError) as error:
             failed += 1
             print(f"{file.stem}: {error!r}")

@@ -14,7 +14,7 @@ from fractions import Fraction
 from pathlib import Path
 
 import check_bounds
-from check_bounds import Refused, are_all, check
+from check_bounds import Refused, are_all, check, shapes
 
 ROOT = Path(__file__).resolve().parents[2]
 GRAPHS, BOUNDS = ROOT / "target/graphs", ROOT / "golden/bounds"
@@ -33,17 +33,18 @@ def of_sum(amount: str, n: int, *places: int) -> list:
     return ["sum", amount, *(["-1" if place == 0 else "1", n, 0, place] for place in places)]
 
 
-def outcome(ops: list[list], *certificates: dict) -> str:
-    """What is refused of certificates for the last operation of a graph; nothing if they hold."""
+def outcome(ops: list[list], *certificates: dict, others: tuple = (), shapes: tuple = ((), ())) -> str:
+    """What is refused of certificates for the last operation of a graph, nothing if they hold; other results are open."""
     result = len(ops) - 1
-    graph = "".join(json.dumps(line) + "\n" for line in [*ops, ["value", result], ["jacobian"]])
+    graph = "".join(json.dumps(line) + "\n" for line in [*ops, ["value", result, *others], ["jacobian"]])
     bounds = [Fraction(certificate["bound"]) for certificate in certificates]
-    value = {"entries": 1, "proved": 1, "bound": str(max(bounds))}
+    value = {"entries": 1 + len(others), "proved": 1, "bound": str(max(bounds))}
     jacobian = {"entries": 0, "proved": 0, "bound": "0"}
     head = {"formula": "planted", "graph": hashlib.sha256(graph.encode()).hexdigest(), "value": value, "jacobian": jacobian}
     lines = [head] + [{"result": result, "way": [], **certificate} for certificate in certificates]
+    lines += [{"result": other, "open": "planted"} for other in others]
     try:
-        check("\n".join(map(json.dumps, lines)), graph.encode())
+        check("\n".join(map(json.dumps, lines)), graph.encode(), shapes)
     except (Refused, LookupError) as refused:
         return str(refused)
     return ""
@@ -99,6 +100,34 @@ class Planted(unittest.TestCase):
         self.assertIn("does not say", outcome(ops, {"bound": "1", "steps": []}))
         self.assertFalse(are_all([{1: True, 2: True}, {1: False}]))
         self.assertTrue(are_all([{1: True, 2: True}, {1: True, 2: False}, {1: False}]))
+
+    def test_a_length_that_vanishes_has_no_part_that_does_not(self):
+        # a where |(a, b)| is normal, else b: a ≠ 0 and a length below all normal numbers contradict each other.
+        ops = [real(0), real(1), number(0.0), ["equal", 0, 2], number(2.0**-1022), ["norm", 0, 1], ["less or equal", 4, 5],
+               ["select", 3, 0, 1], ["select", 6, 7, 0]]  # fmt: skip
+        ways = ({3: True, 6: True}, {3: True, 6: False}, {3: False, 6: True})
+        all_ = [{"way": [*map(list, way.items())], "bound": "0", "steps": []} for way in ways]
+        self.assertNotIn("not on every way", outcome(ops, *all_))
+        for k in range(3):
+            self.assertIn("not on every way", outcome(ops, *all_[:k], *all_[k + 1 :]))
+
+    def test_normwise_a_part_may_end_on_another_component(self):
+        # (a + b) − b: the rounding of the first sum is at most |a| + |b|, both times the derivative with respect to a.
+        ops = [real(0), real(1), ["add", 0, 1], ["subtract", 2, 1]]
+        steps = [["sum", "1", ["1", 2, 0, 0], ["-1", 0, 1, 0], ["-1", 1, 3, 0]], ["beside", "1", 0, 1], ["beside", "1", 1, 3],
+                 ["beside", "1", 3, 1]]  # fmt: skip
+        normwise = {"bound": "2", "beside": [], "steps": steps}
+        vector = ([2], [1])
+        self.assertEqual(outcome(ops, normwise, shapes=vector), "")
+        self.assertIn("2 is proved", outcome(ops, {**normwise, "bound": "3/2"}, shapes=vector))
+        # Of two scalars the second is not there, by components nothing is, and what is not beside it is refused.
+        self.assertNotEqual(outcome(ops, normwise, shapes=([1, 1], [1])), "")
+        self.assertNotEqual(outcome(ops, {"bound": "2", "steps": steps}, shapes=vector), "")
+        with_other = {**normwise, "beside": [2]}
+        self.assertEqual(outcome(ops, with_other, others=(2,), shapes=([2], [2])), "")
+        self.assertIn("not beside", outcome(ops, with_other, others=(2,), shapes=([2], [1, 1])))
+        for k in range(4):
+            self.assertIn("carries", outcome(ops, {**normwise, "steps": steps[:k] + steps[k + 1 :]}, shapes=vector))
 
     def test_a_comparison_bounds_only_what_it_compares(self):
         # p / (p + q) where 0 ≤ p < q: 1 − p / (p + q) is at least as large as the quotient.
@@ -160,7 +189,7 @@ class Tampered(unittest.TestCase):
             lines = copy.deepcopy(lines)
             fault(rng, lines, rng.choice(places))
             try:
-                check("\n".join(map(json.dumps, [head, *lines])), (GRAPHS / file.name).read_bytes())
+                check("\n".join(map(json.dumps, [head, *lines])), (GRAPHS / file.name).read_bytes(), shapes(ROOT / "golden" / f"{file.stem}.json"))
                 verdicts["harmless"] += 1
             except (Refused, KeyError, IndexError, TypeError, ValueError):
                 verdicts["refused"] += 1

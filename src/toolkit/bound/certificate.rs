@@ -2,11 +2,13 @@
 
 use super::field::{Rational, to_f64};
 use super::parts::{Atom, Inequality, Obstacle, Parts, Rule};
-use super::way::{Answers, MOST_WAYS, Way, are_all, ways};
+use super::possible::{MOST_WAYS, are_all, ways};
+use super::way::{Answers, Way};
 use crate::formula::Field;
 use crate::toolkit::graph::{Graph, Node, bounds};
 use num_traits::{CheckedAdd, CheckedDiv, CheckedMul, Signed, Zero};
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 /// Amounts are rounded to fractions that are as near.
 const NEAR: f64 = 1e-7;
@@ -20,6 +22,8 @@ const NOTHING: f64 = 1e-7;
 pub struct Certificate {
     /// The way.
     pub way: Answers,
+    /// The other results beside which this one is judged, if the bound is normwise.
+    pub beside: Option<Vec<Node>>,
     /// The bound of η.
     pub bound: Rational,
     /// Whether what is not of the first order has a relative size of roundings, too.
@@ -28,19 +32,20 @@ pub struct Certificate {
     pub steps: Vec<(Rule, Rational)>,
 }
 
-/// A linear programme: amounts of rules, none below 0, for which the largest ratio of what a part carries and of its room is least. A
-/// part without room may carry nothing.
+/// A linear programme: amounts of rules, none below 0, for which the largest ratio of what a part carries and of its room is least, added
+/// up over the weights. A part without room may carry nothing.
 #[derive(Clone, Debug, Default)]
 pub struct Programme {
     /// What each part is loaded with.
     pub load: Vec<f64>,
-    /// The room of each part.
-    pub room: Vec<f64>,
+    /// The weight to which the room of each part belongs, and the room.
+    pub room: Vec<(usize, f64)>,
     /// What each rule adds to parts for each unit of its amount.
     pub rules: Vec<Vec<(usize, f64)>>,
 }
 
-/// The certificates of a result, one for each way through its branches; `solve` solves the linear programmes.
+/// The certificates of a result, one for each way through its branches; `solve` solves the linear programmes. A result with others beside
+/// it, perhaps none, may have a bound that is normwise.
 ///
 /// # Errors
 /// Why nothing is proved.
@@ -48,10 +53,28 @@ pub fn prove(
     graph: &Graph,
     inputs: &[Field],
     result: Node,
+    beside: Option<&[Node]>,
     solve: impl Fn(&Programme) -> Option<Vec<f64>>,
 ) -> Result<Vec<Certificate>, String> {
-    let ways = ways(graph, result).ok_or_else(|| said(graph, &Obstacle::Ways))?;
-    ways.into_iter().map(|answers| prove_on(graph, inputs, result, answers, &solve)).collect()
+    let on_all_ways = |beside: Option<&[Node]>| {
+        let all: Vec<Node> = [result].iter().chain(beside.unwrap_or_default()).copied().collect();
+        let ways = ways(graph, &all).ok_or_else(|| said(graph, &Obstacle::Ways))?;
+        let mut found: Vec<Certificate> = Vec::new();
+        for way in ways {
+            // What is proved on one way often is on another.
+            let most = found.iter().map(|it| it.bound).max();
+            let again = found.iter().rev().find_map(|it| {
+                let mut same = Certificate { way: way.clone(), ..it.clone() };
+                let (bound, is_first_order) = added_up_on(graph, inputs, result, &same).ok()?;
+                (same.bound, same.is_first_order) = (bound, is_first_order);
+                (Some(bound) <= most).then_some(same)
+            });
+            let proved = again.map_or_else(|| prove_on(graph, inputs, result, way, beside, &solve), Ok);
+            found.push(proved?);
+        }
+        Ok(found)
+    };
+    on_all_ways(None).or_else(|why| beside.map_or(Err(why), |beside| on_all_ways(Some(beside))))
 }
 
 fn prove_on(
@@ -59,10 +82,11 @@ fn prove_on(
     inputs: &[Field],
     result: Node,
     answers: Answers,
+    beside: Option<&[Node]>,
     solve: &impl Fn(&Programme) -> Option<Vec<f64>>,
 ) -> Result<Certificate, String> {
-    let way = way(graph, &answers, result)?;
-    let mut parts = parts(&way, inputs)?;
+    let (way, fields) = (way(graph, &answers, result, beside)?, beside.map(|_| ranges(inputs)));
+    let mut parts = parts(&way, inputs, fields.as_deref())?;
     let is_first_order = parts.is_first_order;
     let mut steps = Vec::new();
     if !parts.load.is_empty() {
@@ -76,43 +100,75 @@ fn prove_on(
     }
     let bound =
         added_up(&mut parts, &steps).map_err(|error| format!("rounding the linear programme's solution: {error}"))?;
-    Ok(Certificate { way: answers, bound, is_first_order, steps })
+    Ok(Certificate { way: answers, beside: beside.map(<[_]>::to_vec), bound, is_first_order, steps })
 }
 
-/// Checks that certificates prove their bounds of a result, together on all ways.
+/// Checks that certificates prove their bounds of a result, together on all ways. `others` are the results beside it.
 ///
 /// # Errors
 /// What is wrong with which of them.
-pub fn check(graph: &Graph, inputs: &[Field], result: Node, certificates: &[Certificate]) -> Result<(), String> {
+pub fn check(
+    graph: &Graph,
+    inputs: &[Field],
+    result: Node,
+    others: &[Node],
+    certificates: &[Certificate],
+) -> Result<(), String> {
     let ways: Vec<_> = certificates.iter().map(|certificate| certificate.way.clone()).collect();
-    if !are_all(&ways) {
+    if !are_all(graph, &ways, &Answers::new()) {
         return Err("there is a way without a certificate".into());
     }
     for certificate in certificates {
         if certificate.way.keys().any(|node| node.index() >= graph.ops().len()) {
             return Err("its way names an operation that is not there".into());
         }
-        let way = way(graph, &certificate.way, result)?;
-        let mut parts = parts(&way, inputs)?;
-        let needed = added_up(&mut parts, &certificate.steps)?;
+        if let Some(other) = certificate.beside.iter().flatten().find(|node| !others.contains(node)) {
+            return Err(format!("{} is not beside it", other.index()));
+        }
+        let (needed, is_first_order) = added_up_on(graph, inputs, result, certificate)?;
         if needed > certificate.bound {
             return Err(format!("its steps prove {needed}, not {}", certificate.bound));
         }
-        if certificate.is_first_order && !parts.is_first_order {
+        if certificate.is_first_order && !is_first_order {
             return Err("it says that the first order is all that counts".into());
         }
     }
     Ok(())
 }
 
-fn way<'a>(graph: &'a Graph, answers: &'a Answers, result: Node) -> Result<Way<'a>, String> {
-    Way::new(graph, answers, result)
-        .map_err(|open| format!("the way does not say how comparison {} comes out", open.index()))
+/// The bound that the steps of a certificate prove on its way, and whether more than the first order counts.
+fn added_up_on(
+    graph: &Graph,
+    inputs: &[Field],
+    result: Node,
+    certificate: &Certificate,
+) -> Result<(Rational, bool), String> {
+    let way = way(graph, &certificate.way, result, certificate.beside.as_deref())?;
+    let fields = certificate.beside.as_ref().map(|_| ranges(inputs));
+    let mut parts = parts(&way, inputs, fields.as_deref())?;
+    Ok((added_up(&mut parts, &certificate.steps)?, parts.is_first_order))
 }
 
-fn parts<'a>(way: &'a Way<'a>, inputs: &[Field]) -> Result<Parts<'a>, String> {
+/// The components of each field.
+pub(super) fn ranges(fields: &[Field]) -> Vec<Range<usize>> {
+    let mut start = 0;
+    let next = |field: &Field| {
+        start += field.len();
+        start - field.len()..start
+    };
+    fields.iter().map(next).collect()
+}
+
+fn way<'a>(graph: &'a Graph, answers: &'a Answers, result: Node, beside: Option<&[Node]>) -> Result<Way<'a>, String> {
+    let results: Vec<Node> = [result].iter().chain(beside.unwrap_or_default()).copied().collect();
+    let way = Way::new(graph, answers, &results)
+        .map_err(|open| format!("the way does not say how comparison {} comes out", open.index()))?;
+    Ok(if beside.is_some() { way.with_inputs() } else { way })
+}
+
+fn parts<'a>(way: &'a Way<'a>, inputs: &[Field], fields: Option<&'a [Range<usize>]>) -> Result<Parts<'a>, String> {
     let bounds: Vec<_> = inputs.iter().flat_map(|field| vec![bounds(field.quantity.domain); field.len()]).collect();
-    Parts::new(way, &bounds).map_err(|obstacle| said(way.graph, &obstacle))
+    Parts::new(way, &bounds, fields).map_err(|obstacle| said(way.graph, &obstacle))
 }
 
 /// The obstacle in words.
@@ -129,9 +185,10 @@ fn said(graph: &Graph, obstacle: &Obstacle) -> String {
 
 fn programme(parts: &Parts, rules: &BTreeMap<Rule, Inequality>) -> Programme {
     let double = |x: &Rational| to_f64(*x);
-    let mut programme = Programme { load: vec![0.0; parts.count()], room: vec![0.0; parts.count()], rules: Vec::new() };
+    let mut programme =
+        Programme { load: vec![0.0; parts.count()], room: vec![(0, 0.0); parts.count()], rules: Vec::new() };
     parts.load.iter().for_each(|(&atom, (load, _))| programme.load[atom] = double(load));
-    parts.room.iter().for_each(|(&atom, room)| programme.room[atom] = double(room));
+    parts.room.iter().for_each(|(&atom, (weight, room))| programme.room[atom] = (*weight, double(room)));
     programme.rules.extend(rules.values().map(|rule| {
         let mut adds: BTreeMap<Atom, f64> = BTreeMap::new();
         rule.left.iter().for_each(|(factor, atom)| *adds.entry(*atom).or_default() -= double(factor));
@@ -157,15 +214,16 @@ fn added_up(parts: &mut Parts, steps: &[(Rule, Rational)]) -> Result<Rational, S
             *carried = carried.checked_add(&more).ok_or_else(too_large)?;
         }
     }
-    let mut bound = Rational::zero();
+    let mut bounds: BTreeMap<usize, Rational> = BTreeMap::new();
     for (atom, carried) in carried.into_iter().filter(|(_, carried)| carried.is_positive()) {
-        let room = parts
+        let (weight, room) = parts
             .room
             .get(&atom)
             .ok_or_else(|| format!("{carried} of a part is left that is none of inputs and result"))?;
-        bound = bound.max(carried.checked_div(room).ok_or_else(too_large)?);
+        let bound = bounds.entry(*weight).or_default();
+        *bound = carried.checked_div(room).ok_or_else(too_large)?.max(*bound);
     }
-    Ok(bound)
+    bounds.values().try_fold(Rational::zero(), |sum, bound| sum.checked_add(bound)).ok_or_else(too_large)
 }
 
 /// The fraction with the smallest denominator that is as near as can be asked.
@@ -192,7 +250,7 @@ fn fraction(x: f64) -> Rational {
 mod tests {
     use super::super::parts::Part;
     use super::*;
-    use crate::formula::quantity::{F1, F2};
+    use crate::formula::quantity::{F1, F2, SLIDER_X1_PLANE};
     use crate::toolkit::graph::{Binary, Op, Relation};
 
     const INPUTS: [Field; 2] = [Field::new("f1", &F1), Field::new("f2", &F2)];
@@ -206,11 +264,12 @@ mod tests {
 
     /// The bound that no steps prove, on the only way.
     fn without_steps(graph: &Graph, result: Node) -> Result<Rational, String> {
-        added_up(&mut parts(&way(graph, &Answers::new(), result)?, &INPUTS)?, &[])
+        added_up_on(graph, &INPUTS, result, &certificate(&[], 0, Vec::new())).map(|(bound, _)| bound)
     }
 
     fn certificate(way: &[(Node, bool)], bound: i128, steps: Vec<(Rule, Rational)>) -> Certificate {
-        Certificate { way: way.iter().copied().collect(), bound: bound.into(), is_first_order: true, steps }
+        let (way, bound) = (way.iter().copied().collect(), bound.into());
+        Certificate { way, beside: None, bound, is_first_order: true, steps }
     }
 
     /// The rounding of a sum is taken back by the rest that is added to it; what is left is that of the last sum, and on the first input
@@ -253,10 +312,10 @@ mod tests {
         let part = |factor: i128, place: usize| (Rational::from(factor), Part(sum, 0, place));
         let terms = vec![part(1, 2), part(1, 1), part(-1, 0)];
         let steps = vec![(Rule::Sum(terms), Rational::from(1))];
-        assert_eq!(check(&graph, &INPUTS, sum, &[certificate(&[], 2, steps)]), Ok(()));
+        assert_eq!(check(&graph, &INPUTS, sum, &[], &[certificate(&[], 2, steps)]), Ok(()));
         let longer = graph.binary(Binary::Add, a, b);
         let back = graph.binary(Binary::Subtract, longer, b);
-        let why = prove(&graph, &INPUTS, back, |_| None).unwrap_err();
+        let why = prove(&graph, &INPUTS, back, None, |_| None).unwrap_err();
         assert_eq!(why, format!("no rule bounds the rounding of operation {}, add", longer.index()));
     }
 
@@ -267,7 +326,7 @@ mod tests {
         let [sum, difference] = [Binary::Add, Binary::Subtract].map(|operation| graph.binary(operation, a, b));
         let result = graph.enter(Op::Select(less, sum, difference));
         let ways = [true, false].map(|answer| certificate(&[(less, answer)], 1, Vec::new()));
-        let checked = |certificates: &[Certificate]| check(&graph, &INPUTS, result, certificates);
+        let checked = |certificates: &[Certificate]| check(&graph, &INPUTS, result, &[], certificates);
         assert_eq!(checked(&ways), Ok(()));
         for some in [&ways[..1], &ways[1..], &[]] {
             assert_eq!(checked(some), Err("there is a way without a certificate".into()));
@@ -275,6 +334,49 @@ mod tests {
         let [open, unknown] = [vec![], vec![(Node::at(99), true)]].map(|way| certificate(&way, 1, Vec::new()));
         assert_eq!(checked(&[open]), Err(format!("the way does not say how comparison {} comes out", less.index())));
         assert!(checked(&[unknown.clone(), Certificate { way: [(Node::at(99), false)].into(), ..unknown }]).is_err());
+    }
+
+    /// Of (a + b) − b, with a and b the components of a vector, the rounding of the first sum is at most |a| + |b|.
+    #[test]
+    fn normwise_a_part_may_end_on_another_component() {
+        let (mut graph, [a, b]) = graph();
+        let sum = graph.binary(Binary::Add, a, b);
+        let result = graph.binary(Binary::Subtract, sum, b);
+        let inputs = [Field::new("x1", &SLIDER_X1_PLANE)];
+        let checked =
+            |others: &[Node], certificate: Certificate| check(&graph, &inputs, result, others, &[certificate]);
+        let [whole, size] = [Part(sum, 0, 0), Part(result, 1, 0)];
+        let [by_a, by_b] = [a, b].map(|node| Part(node, if node == a { 1 } else { 3 }, 0));
+        let one = Rational::from(1);
+        let steps = vec![
+            (Rule::Sum(vec![(one, whole), (-one, by_a), (-one, by_b)]), one),
+            (Rule::Beside(by_a.0, by_a.1), one),
+            (Rule::Beside(by_b.0, by_b.1), one),
+            (Rule::Beside(size.0, size.1), one),
+        ];
+        let normwise = |bound| Certificate { beside: Some(Vec::new()), ..certificate(&[], bound, steps.clone()) };
+        assert_eq!(checked(&[], normwise(2)), Ok(()));
+        assert_eq!(checked(&[], normwise(1)), Err("its steps prove 2, not 1".into()));
+        let beside = |others: &[Node]| checked(others, Certificate { beside: Some(vec![sum]), ..normwise(2) });
+        assert_eq!((beside(&[sum]), beside(&[])), (Ok(()), Err(format!("{} is not beside it", sum.index()))));
+        assert!(checked(&[], certificate(&[], 2, steps.clone())).is_err_and(|why| why.contains("no part")));
+    }
+
+    /// A length that is 0 has no part that is not.
+    #[test]
+    fn ways_that_contradict_themselves_need_no_certificate() {
+        let (mut graph, [a, b]) = graph();
+        let [zero, least] = [0.0, f64::MIN_POSITIVE].map(|x| graph.number(x));
+        let is_zero = graph.enter(Op::Compare(Relation::Equal, a, zero));
+        let length = graph.enter(Op::Norm([a, b].into()));
+        let is_normal = graph.enter(Op::Compare(Relation::LessOrEqual, least, length));
+        let on = |answers: [bool; 2]| Answers::from([(is_zero, answers[0]), (is_normal, answers[1])]);
+        let all = [[true, true], [true, false], [false, true]].map(on);
+        assert!(are_all(&graph, &all, &Answers::new()));
+        for k in 0..3 {
+            let some: Vec<_> = (0..3).filter(|&other| other != k).map(|other| all[other].clone()).collect();
+            assert!(!are_all(&graph, &some, &Answers::new()), "{k}");
+        }
     }
 
     #[test]

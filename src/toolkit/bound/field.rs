@@ -112,6 +112,14 @@ pub(super) fn sum(x: &Values, y: &Values) -> Values {
     std::array::from_fn(|k| add(x[k], y[k]))
 }
 
+/// Subtracts the multiple of another row that makes this place 0, where the other has 1.
+pub(super) fn subtract(row: &mut [u64], other: &[u64], place: usize) {
+    let factor = negative(row[place]);
+    if factor != 0 {
+        row.iter_mut().zip(other).filter(|(_, y)| **y != 0).for_each(|(x, y)| *x = add(*x, multiply(factor, *y)));
+    }
+}
+
 /// −x at every point.
 pub(super) fn opposite(x: &Values) -> Values {
     x.map(negative)

@@ -1,6 +1,6 @@
 //! The file of the certificates of a formula: a line in JSON for the graph, and one for each result and way.
 
-use super::certificate::{Certificate, Programme, check, prove};
+use super::certificate::{Certificate, Programme, check, prove, ranges};
 use super::field::Rational;
 use super::parts::{Part, Rule};
 use super::summary::Summary;
@@ -11,6 +11,7 @@ use num_traits::Zero;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 /// The first line of the file: what it is about, and what the others prove.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -36,6 +37,9 @@ pub enum Line {
         result: u32,
         /// The answers of comparisons that make the way, by operation.
         way: Vec<(u32, bool)>,
+        /// The other results beside which it is judged, if the bound is normwise.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        beside: Option<Vec<u32>>,
         /// The bound of η, a fraction.
         bound: String,
         /// Whether only the first order is proved, since a difference of rounded numbers is squared, is a divisor or an argument.
@@ -61,10 +65,17 @@ pub struct Proof {
 }
 
 impl Proof {
-    /// Proves what can be; `solve` solves the linear programmes.
-    pub fn of(graph: &Graph, inputs: &[Field], solve: impl Fn(&Programme) -> Option<Vec<f64>>) -> Self {
-        let results = results(graph).map(|node| (node, prove(graph, inputs, node, &solve)));
-        Self { results: results.collect() }
+    /// Proves what can be of a formula with these inputs and outputs; `solve` solves the linear programmes.
+    pub fn of(
+        graph: &Graph,
+        [inputs, outputs]: [&[Field]; 2],
+        is_normwise: bool,
+        solve: impl Fn(&Programme) -> Option<Vec<f64>>,
+    ) -> Self {
+        let prove = |(node, beside): (Node, Vec<Node>)| {
+            (node, prove(graph, inputs, node, is_normwise.then_some(&beside), &solve))
+        };
+        Self { results: results(graph, inputs, outputs).into_iter().map(prove).collect() }
     }
 
     /// The file.
@@ -78,6 +89,7 @@ impl Proof {
                 Ok(certificates) => lines.extend(certificates.iter().map(|certificate| Line::Proved {
                     result,
                     way: certificate.way.iter().map(|(node, answer)| (number(*node), *answer)).collect(),
+                    beside: certificate.beside.as_ref().map(|all| all.iter().copied().map(number).collect()),
                     bound: certificate.bound.to_string(),
                     first_order_only: !certificate.is_first_order,
                     steps: certificate.steps.iter().map(|(rule, amount)| written(rule, *amount)).collect(),
@@ -102,10 +114,11 @@ impl Proof {
         for (k, text) in text.lines().enumerate().skip(1) {
             let wrong = |why: &str| format!("line {}: {why}", k + 1);
             match serde_json::from_str(text).map_err(|error| wrong(&error.to_string()))? {
-                Line::Proved { result, way, bound, first_order_only, steps } => {
+                Line::Proved { result, way, beside, bound, first_order_only, steps } => {
                     let steps = steps.iter().map(|step| read(step)).collect::<Option<_>>();
                     let certificate = Certificate {
                         way: way.into_iter().map(|(node, answer)| (node_of(node), answer)).collect::<Answers>(),
+                        beside: beside.map(|all| all.into_iter().map(node_of).collect()),
                         bound: bound.parse().map_err(|_| wrong("its bound is no fraction"))?,
                         is_first_order: !first_order_only,
                         steps: steps.ok_or_else(|| wrong("a step is no rule with its amount"))?,
@@ -133,17 +146,18 @@ impl Proof {
     ///
     /// # Errors
     /// What is wrong with which result.
-    pub fn check(&self, graph: &Graph, inputs: &[Field]) -> Result<(), String> {
-        let expected: Vec<Node> = results(graph).collect();
-        if let Some(node) = expected.iter().find(|node| !self.results.contains_key(node)) {
+    pub fn check(&self, graph: &Graph, [inputs, outputs]: [&[Field]; 2]) -> Result<(), String> {
+        let expected = results(graph, inputs, outputs);
+        if let Some(node) = expected.keys().find(|node| !self.results.contains_key(node)) {
             return Err(format!("nothing is said of result {}", node.index()));
         }
-        if let Some(node) = self.results.keys().find(|node| !expected.contains(node)) {
+        if let Some(node) = self.results.keys().find(|node| !expected.contains_key(node)) {
             return Err(format!("{} is no result", node.index()));
         }
         for (node, proved) in &self.results {
             let Ok(certificates) = proved else { continue };
-            check(graph, inputs, *node, certificates).map_err(|why| format!("result {}: {why}", node.index()))?;
+            check(graph, inputs, *node, &expected[node], certificates)
+                .map_err(|why| format!("result {}: {why}", node.index()))?;
         }
         Ok(())
     }
@@ -162,6 +176,7 @@ impl Proof {
                     summary.proved += usize::from(!bound.is_zero());
                     summary.bound = summary.bound.max(bound);
                     summary.first_order_only |= certificates.iter().any(|it| !it.is_first_order);
+                    summary.normwise |= certificates.iter().any(|it| it.beside.is_some());
                 }
                 open => {
                     summary.entries += 1;
@@ -186,10 +201,35 @@ impl Head {
     }
 }
 
-/// The distinct results of a graph.
-fn results(graph: &Graph) -> impl Iterator<Item = Node> {
-    let all: std::collections::BTreeSet<Node> = graph.value.iter().chain(&graph.jacobian).copied().collect();
-    all.into_iter()
+/// The distinct results of a graph, each with those beside it: of a component, the others of the same output; of a derivative, those with
+/// respect to the other components of the same input, or where that is a scalar, those of the other components of the same output.
+fn results(graph: &Graph, inputs: &[Field], outputs: &[Field]) -> BTreeMap<Node, Vec<Node>> {
+    let [of_inputs, of_outputs] = [inputs, outputs].map(ranges);
+    let count = of_inputs.last().map_or(0, |last| last.end);
+    let field =
+        |fields: &[Range<usize>], k: usize| fields.iter().find(|field| field.contains(&k)).cloned().unwrap_or(k..k + 1);
+    let values = (0..graph.value.len()).map(|k| (graph.value[k], graph.value[field(&of_outputs, k)].to_vec()));
+    let entries = (0..graph.jacobian.len()).map(|entry| {
+        let (output, input) = (entry / count, entry % count);
+        let by = field(&of_inputs, input);
+        let all: Vec<_> = if by.len() > 1 {
+            by.map(|k| output * count + k).collect()
+        } else {
+            field(&of_outputs, output).map(|k| k * count + input).collect()
+        };
+        (graph.jacobian[entry], all.into_iter().map(|k| graph.jacobian[k]).collect())
+    });
+    let mut results: BTreeMap<Node, Vec<Node>> = BTreeMap::new();
+    for (node, beside) in values.chain(entries) {
+        // What stands at several places is judged at each.
+        results.entry(node).and_modify(|known| known.retain(|other| beside.contains(other))).or_insert(beside);
+    }
+    for (node, beside) in &mut results {
+        beside.retain(|other| other != node);
+        beside.sort_unstable();
+        beside.dedup();
+    }
+    results
 }
 
 fn number(node: Node) -> u32 {
@@ -213,6 +253,10 @@ fn written(rule: &Rule, amount: Rational) -> Vec<Value> {
         Rule::Parts(node, form) => {
             step.extend([json!(node.index()), json!(form)]);
             json!("parts")
+        }
+        Rule::Beside(node, form) => {
+            step.extend([json!(node.index()), json!(form)]);
+            json!("beside")
         }
         Rule::Range(named, other, by) => {
             step.extend([part(named).into(), part(other).into(), json!(by.index())]);
@@ -238,6 +282,7 @@ fn read(step: &[Value]) -> Option<(Rule, Rational)> {
     let rule = match (name.as_str()?, rest) {
         ("sum", terms) => Rule::Sum(terms.iter().map(term).collect::<Option<_>>()?),
         ("parts", [of, form]) => Rule::Parts(node(of)?, count(form)?),
+        ("beside", [of, form]) => Rule::Beside(node(of)?, count(form)?),
         ("range", [named, other, by]) => Rule::Range(part(named.as_array()?)?, part(other.as_array()?)?, node(by)?),
         _ => return None,
     };

@@ -1,15 +1,16 @@
 //! The parts of a result on one way, what rounding loads them with, and the rules by which a load moves from part to part.
 
+mod rules;
+
 use super::field::{self, POINTS, Rational, Values, opposite, product, reciprocal, sum};
+use super::points::values;
 use super::sign::{Order, Signs};
 use super::way::Way;
 use crate::toolkit::graph::{Binary, Node, Op, Unary};
 use num_traits::{One, Signed, Zero};
 use rustc_hash::FxHashMap;
-use std::collections::{BTreeMap, BTreeSet};
-
-/// Trials of a point at which all roots exist.
-const TRIALS: u64 = 4096;
+use std::collections::BTreeMap;
+use std::ops::Range;
 
 /// The factors of a sum have so few bits together that no sum is 0 at all points by chance.
 const DIGITS: u32 = 400;
@@ -49,6 +50,9 @@ pub enum Rule {
     /// One part is at most so many times another one, since their ratio is a quotient of linear functions of a number that has bounds:
     /// an input, a number compared with a constant, or the ratio of two numbers that are compared.
     Range(Part, Part, Node),
+    /// A part of the denominator of a normwise bound, which is a form of a number from the first of these on, is at most that, in its row
+    /// and in its column.
+    Beside(Node, usize),
 }
 
 /// The left parts together are at most the right ones together.
@@ -61,6 +65,10 @@ pub(super) struct Inequality {
 /// The parts of a result on one way.
 pub(super) struct Parts<'a> {
     way: &'a Way<'a>,
+    /// The components of the inputs, if the denominator is normwise.
+    fields: Option<&'a [Range<usize>]>,
+    /// The first of the points.
+    start: u64,
     values: BTreeMap<Node, Values>,
     signs: Signs,
     /// The derivatives of the result: with respect to each number and, if there are several, each of its uses.
@@ -74,22 +82,78 @@ pub(super) struct Parts<'a> {
     first: Vec<(Part, u64)>,
     /// What rounding loads parts with, and an operation that does.
     pub(super) load: BTreeMap<Atom, (Rational, Node)>,
-    /// What parts may carry for each unit of the bound: those of inputs, and the result.
-    pub(super) room: BTreeMap<Atom, Rational>,
+    /// What parts may carry for each unit of the bound: those of inputs, and the result. Of a normwise bound, what the rows and the columns
+    /// of the denominator may, for each unit of the weight of a result beside.
+    pub(super) room: BTreeMap<Atom, (usize, Rational)>,
+    /// The parts of the denominator of a normwise bound, each with its row and its column.
+    sizes: BTreeMap<(Node, usize), [Atom; 2]>,
+    /// The equations between parts, each with the parts that add up to 0.
+    equations: Vec<Vec<(Rational, Part)>>,
     /// Whether more than the first order counts.
     pub(super) is_first_order: bool,
 }
 
 impl<'a> Parts<'a> {
-    pub(super) fn new(way: &'a Way<'a>, bounds: &[[Option<f64>; 2]]) -> Result<Self, Obstacle> {
+    pub(super) fn new(
+        way: &'a Way<'a>,
+        bounds: &[[Option<f64>; 2]],
+        fields: Option<&'a [Range<usize>]>,
+    ) -> Result<Self, Obstacle> {
         let order = Order::of(way);
-        let values = values(way, &order.nodes)?;
+        let values = values(way, &order.nodes, 0).ok_or(Obstacle::Roots)?;
         let signs = Signs::of(way, bounds, &order, &values);
         let is_first_order = signs.is_first_order(way);
-        let (forms, slopes, uses) = (BTreeMap::new(), BTreeMap::new(), BTreeMap::new());
+        let mut parts = Self { signs, is_first_order, ..Self::at(way, values, fields, 0)? };
+        parts.loads();
+        parts.equations = parts.equations();
+        parts.beside()?;
+        Ok(parts)
+    }
+
+    /// The parts at other points.
+    fn elsewhere(&self, start: u64) -> Result<Self, Obstacle> {
+        let values = values(self.way, &self.way.nodes, start).ok_or(Obstacle::Roots)?;
+        let mut parts = Self::at(self.way, values, self.fields, start)?;
+        parts.beside()?;
+        Ok(parts)
+    }
+
+    /// The parts of the first result.
+    fn at(
+        way: &'a Way<'a>,
+        values: BTreeMap<Node, Values>,
+        fields: Option<&'a [Range<usize>]>,
+        start: u64,
+    ) -> Result<Self, Obstacle> {
+        let (forms, slopes, uses, sizes) = (BTreeMap::new(), BTreeMap::new(), BTreeMap::new(), BTreeMap::new());
         let (known, first, load, room) = (FxHashMap::default(), Vec::new(), BTreeMap::new(), BTreeMap::new());
-        let mut parts = Self { way, values, signs, forms, slopes, uses, known, first, load, room, is_first_order };
-        parts.all()?;
+        let (signs, is_first_order, equations) = (Signs::default(), false, Vec::new());
+        let mut parts = Self {
+            way,
+            fields,
+            start,
+            values,
+            signs,
+            forms,
+            slopes,
+            uses,
+            known,
+            first,
+            load,
+            room,
+            sizes,
+            equations,
+            is_first_order,
+        };
+        parts.slopes = way.nodes.iter().map(|&node| (node, parts.slopes(node))).collect();
+        for (node, uses) in parts.derivatives(way.results[0])? {
+            let mut forms = vec![total(&uses)];
+            if uses.len() > 1 {
+                forms.extend(uses.iter().map(|(by, _)| *by));
+                parts.uses.insert(node, uses.into_iter().map(|(_, part)| part).collect());
+            }
+            parts.forms.insert(node, forms);
+        }
         Ok(parts)
     }
 
@@ -97,45 +161,82 @@ impl<'a> Parts<'a> {
         self.first.len()
     }
 
-    /// Hands the derivatives on from the result to all that it is computed from; loads and rooms.
-    fn all(&mut self) -> Result<(), Obstacle> {
-        let mut open: BTreeMap<Node, Vec<(Values, Part)>> = BTreeMap::new();
+    /// The derivatives of a result with respect to every use of all that it is computed from.
+    fn derivatives(&self, result: Node) -> Result<BTreeMap<Node, Vec<(Values, Part)>>, Obstacle> {
+        let mut uses = BTreeMap::from([(result, vec![([1; POINTS], Part(result, 0, 0))])]);
         for &node in self.way.nodes.iter().rev() {
-            let mut forms: Vec<Values> = Vec::new();
-            if node == self.way.result {
-                forms.push([1; POINTS]);
-            }
-            if let Some(uses) = open.remove(&node) {
-                forms.push(uses.iter().map(|(by, _)| *by).reduce(|x, y| sum(&x, &y)).unwrap_or_default());
-                if uses.len() > 1 {
-                    forms.extend(uses.iter().map(|(by, _)| *by));
-                    self.uses.insert(node, uses.into_iter().map(|(_, part)| part).collect());
-                }
-            }
-            let Some(total) = forms.first().copied() else { continue };
+            let Some(total) = uses.get(&node).map(|uses| total(uses)) else { continue };
             if matches!(self.way.graph.op(node), Op::Search(..)) {
                 return Err(Obstacle::Search);
             }
-            self.forms.insert(node, forms);
-            let slopes = self.slopes(node);
-            for (k, (operand, slope)) in slopes.iter().enumerate() {
+            for (k, (operand, slope)) in self.slopes[&node].iter().enumerate() {
                 let by = product(&total, slope);
                 if by != [0; POINTS] {
-                    open.entry(*operand).or_default().push((by, Part(node, 0, k + 1)));
+                    uses.entry(*operand).or_default().push((by, Part(node, 0, k + 1)));
                 }
             }
-            self.slopes.insert(node, slopes);
+        }
+        Ok(uses)
+    }
+
+    /// Loads and rooms.
+    fn loads(&mut self) {
+        for node in
+            self.way.nodes.iter().copied().rev().filter(|node| self.forms.contains_key(node)).collect::<Vec<_>>()
+        {
             // A number that is always 0 has no part, but what it is made of may have.
             let Some((factor, atom)) = self.atom(Part(node, 0, 0)) else { continue };
             let roundings = self.way.roundings(node) * factor.abs();
             if roundings.is_positive() {
                 self.load.entry(atom).or_insert((Rational::zero(), node)).0 += roundings;
             }
-            for _ in 0..u8::from(matches!(self.way.graph.op(node), Op::Input(_))) + u8::from(node == self.way.result) {
-                *self.room.entry(atom).or_default() += factor.abs();
+            let rooms =
+                u8::from(matches!(self.way.graph.op(node), Op::Input(_))) + u8::from(node == self.way.results[0]);
+            for _ in (0..rooms).filter(|_| self.fields.is_none()) {
+                self.room.entry(atom).or_insert((0, Rational::zero())).1 += factor.abs();
+            }
+        }
+    }
+
+    /// The denominator of a normwise bound: of each result beside, its size, and its derivatives with respect to the components of a
+    /// field times other components of the same field. No sum over one of each row and column exceeds the product of the lengths.
+    fn beside(&mut self) -> Result<(), Obstacle> {
+        let Some(fields) = self.fields else { return Ok(()) };
+        let inputs = self.way.nodes.iter().filter_map(|&node| match self.way.graph.op(node) {
+            Op::Input(k) => Some((*k, node)),
+            _ => None,
+        });
+        let inputs: BTreeMap<usize, Node> = inputs.collect();
+        for (weight, &result) in self.way.results.iter().enumerate() {
+            let by = self.derivatives(result)?;
+            let limit = self.limit(weight);
+            self.size(result, [1; POINTS], [limit; 2]);
+            for field in fields {
+                let inputs: Vec<Node> = field.clone().filter_map(|k| inputs.get(&k)).copied().collect();
+                let limits: Vec<_> = inputs.iter().map(|_| [self.limit(weight), self.limit(weight)]).collect();
+                for (by, [row, _]) in
+                    inputs.iter().map(|node| by.get(node).map_or([0; POINTS], |uses| total(uses))).zip(&limits)
+                {
+                    for (&input, [_, column]) in inputs.iter().zip(&limits) {
+                        self.size(input, by, [*row, *column]);
+                    }
+                }
             }
         }
         Ok(())
+    }
+
+    /// A row or a column of the denominator.
+    fn limit(&mut self, weight: usize) -> Atom {
+        self.first.push((Part(self.way.results[0], 0, 0), 0));
+        self.room.insert(self.first.len() - 1, (weight, Rational::one()));
+        self.first.len() - 1
+    }
+
+    fn size(&mut self, node: Node, by: Values, limits: [Atom; 2]) {
+        let forms = self.forms.entry(node).or_insert_with(|| vec![[0; POINTS]]);
+        forms.push(by);
+        self.sizes.insert((node, forms.len() - 1), limits);
     }
 
     /// The operands of an operation, and the derivatives of its result with respect to them.
@@ -143,7 +244,7 @@ impl<'a> Parts<'a> {
         let operands = self.way.operands(node).unwrap_or_default();
         let x: Vec<Values> = operands.iter().map(|operand| self.values[operand]).collect();
         let (value, one) = (self.values[&node], [1; POINTS]);
-        let symbol = || std::array::from_fn(|k| field::random([k as u64, node.index() as u64, 2]));
+        let symbol = || std::array::from_fn(|k| field::random([self.start + k as u64, node.index() as u64, 2]));
         // Of a sum of products, the other factors of the same one.
         let others = |start: usize, length: usize, place: usize| {
             let places = (start..start + length).filter(|&other| other != place);
@@ -242,111 +343,6 @@ impl<'a> Parts<'a> {
         }
     }
 
-    /// The rules that serve to find a proof.
-    pub(super) fn rules(&mut self) -> BTreeMap<Rule, Inequality> {
-        let mut names = Vec::new();
-        let equations = self.equations();
-        for equation in &equations {
-            names.extend((0..equation.len()).map(|k| Rule::Sum(with_first(equation, k))));
-            let values: Vec<_> = equation.iter().map(|&(_, part)| self.value(part).unwrap_or_default()).collect();
-            for bounded in &self.signs.bounded {
-                let pairs = (0..values.len()).flat_map(|k| (0..values.len()).map(move |other| (k, other)));
-                let pairs = pairs.filter(|&(k, other)| k != other && values[k][0] != 0 && values[other][0] != 0);
-                let is_range = |&(k, other): &(usize, usize)| bounded.most(&values[k], &values[other]).is_some();
-                names.extend(
-                    pairs.filter(is_range).map(|(k, other)| Rule::Range(equation[k].1, equation[other].1, bounded.by)),
-                );
-            }
-        }
-        let sums: Vec<_> = self.forms.iter().filter(|(node, _)| self.signs.adds_up(**node)).collect();
-        names.extend(
-            sums.into_iter().flat_map(|(&node, forms)| (0..forms.len()).map(move |form| Rule::Parts(node, form))),
-        );
-        let mut rules = BTreeMap::new();
-        let mut add = |parts: &mut Self, names: Vec<Rule>| {
-            for name in names {
-                if let Ok(inequality) = parts.inequality(&name) {
-                    rules.insert(name, inequality);
-                }
-            }
-            parts.bounded(&rules)
-        };
-        let mut bounded = add(self, names);
-        loop {
-            let found = self.eliminated(&equations, &bounded);
-            let more = add(self, found);
-            if more == bounded {
-                return rules;
-            }
-            bounded = more;
-        }
-    }
-
-    /// Equations that follow from these, each for one part that is not bounded, in terms of bounded parts.
-    fn eliminated(&mut self, equations: &[Vec<(Rational, Part)>], bounded: &[bool]) -> Vec<Rule> {
-        type Row = BTreeMap<Atom, u64>;
-        let is_open = |atom: Atom| !bounded.get(atom).copied().unwrap_or_default();
-        let unknown = |row: &Row| row.keys().filter(|&&atom| is_open(atom)).count();
-        let mut rows: Vec<Row> = Vec::new();
-        for equation in equations {
-            let mut row = Row::new();
-            for &(sign, part) in equation {
-                let Some((factor, atom)) = self.atom(part) else { continue };
-                let factor = field::of_rational(sign * factor).unwrap_or_default();
-                let entry = row.entry(atom).or_default();
-                *entry = field::add(*entry, factor);
-            }
-            row.retain(|_, factor| *factor != 0);
-            rows.extend(Some(row).filter(|row| unknown(row) > 0));
-        }
-        rows.sort_by_key(unknown);
-        let mut solved: BTreeMap<Atom, Row> = BTreeMap::new();
-        let subtract = |row: &mut Row, atom: Atom, other: &Row| {
-            let Some(factor) = row.get(&atom).map(|factor| field::negative(*factor)) else { return };
-            for (&atom, &of) in other {
-                let entry = row.entry(atom).or_default();
-                *entry = field::add(*entry, field::multiply(factor, of));
-            }
-            row.retain(|_, factor| *factor != 0);
-        };
-        for mut row in rows {
-            for (&atom, other) in &solved {
-                subtract(&mut row, atom, other);
-            }
-            let Some(atom) = row.keys().copied().find(|&atom| is_open(atom)) else { continue };
-            let per_atom = field::inverse(row[&atom]).unwrap_or_default();
-            let row: Row = row.into_iter().map(|(other, factor)| (other, field::multiply(factor, per_atom))).collect();
-            for other in solved.values_mut() {
-                subtract(other, atom, &row);
-            }
-            solved.insert(atom, row);
-        }
-        let named = |(atom, row): (Atom, Row)| {
-            let first = (unknown(&row) == 1).then(|| (Rational::one(), self.first[atom].0))?;
-            let others = row.iter().filter(|(other, _)| **other != atom);
-            let others = others.map(|(&other, &factor)| Some((field::to_rational(factor)?, self.first[other].0)));
-            Some(Rule::Sum(std::iter::once(Some(first)).chain(others).collect::<Option<_>>()?))
-        };
-        solved.into_iter().filter_map(named).collect()
-    }
-
-    /// Which parts can be moved on to inputs and to the result.
-    pub(super) fn bounded(&self, rules: &BTreeMap<Rule, Inequality>) -> Vec<bool> {
-        let mut is_bounded = vec![false; self.count()];
-        self.room.keys().for_each(|&atom| is_bounded[atom] = true);
-        loop {
-            let before = is_bounded.iter().filter(|is| **is).count();
-            for rule in rules.values() {
-                if rule.right.iter().all(|&(_, atom)| is_bounded[atom]) {
-                    rule.left.iter().for_each(|&(_, atom)| is_bounded[atom] = true);
-                }
-            }
-            if is_bounded.iter().filter(|is| **is).count() == before {
-                return is_bounded;
-            }
-        }
-    }
-
     /// What a rule says.
     ///
     /// # Errors
@@ -390,6 +386,12 @@ impl<'a> Parts<'a> {
                 }
                 right.extend(self.atom(Part(node, form, 0)).map(|(factor, atom)| (atom, factor)));
             }
+            &Rule::Beside(node, form) => {
+                let limits =
+                    *self.sizes.get(&(node, form)).ok_or_else(|| format!("{rule:?} is no part of the denominator"))?;
+                left.extend(self.atom(Part(node, form, 0)).map(|(factor, atom)| (atom, factor)));
+                right.extend(limits.map(|limit| (limit, Rational::one())));
+            }
             &Rule::Range(part, other, by) => {
                 let values = [part, other].map(|part| self.value(part));
                 let [Some(first), Some(second)] = values else { return Err(format!("{rule:?} names no parts")) };
@@ -407,93 +409,9 @@ impl<'a> Parts<'a> {
         let (left, right) = (plain(left), plain(right));
         if left.is_empty() { Err(format!("{rule:?} bounds nothing")) } else { Ok(Inequality { left, right }) }
     }
-
-    /// The first operation whose rounding no rule moves on to an input or to the result.
-    pub(super) fn obstacle(&self, rules: &BTreeMap<Rule, Inequality>) -> Option<Obstacle> {
-        let is_bounded = self.bounded(rules);
-        let missing = self.load.iter().filter(|(atom, _)| !is_bounded[**atom]).map(|(_, &(_, node))| node);
-        missing.min().map(Obstacle::Rounding)
-    }
 }
 
-/// The same equation with another term first.
-fn with_first(equation: &[(Rational, Part)], k: usize) -> Vec<(Rational, Part)> {
-    let mut terms = equation.to_vec();
-    terms[..=k].rotate_right(1);
-    terms
-}
-
-/// An operation, its operands by position, and its value if it is an exact constant.
-struct Step<'a> {
-    node: Node,
-    op: &'a Op,
-    operands: Vec<usize>,
-    constant: Option<u64>,
-}
-
-/// The numbers of a way, and those that its comparisons compare, at all points.
-fn values(way: &Way, nodes: &[Node]) -> Result<BTreeMap<Node, Values>, Obstacle> {
-    let mut values: BTreeMap<Node, Values> = nodes.iter().map(|&node| (node, [0; POINTS])).collect();
-    let places: BTreeMap<Node, usize> = nodes.iter().enumerate().map(|(place, &node)| (node, place)).collect();
-    let operands = |node: Node| way.operands(node).unwrap_or_default().iter().map(|operand| places[operand]).collect();
-    let constant = |node: Node| way.exact(node).and_then(field::of_rational);
-    let steps: Vec<_> = nodes
-        .iter()
-        .map(|&node| Step { node, op: way.graph.op(node), operands: operands(node), constant: constant(node) })
-        .collect();
-    let mut not_squares = BTreeSet::new();
-    for point in 0..POINTS as u64 {
-        let mut trials = (0..TRIALS).map(|trial| at_point(&steps, point * TRIALS + trial, &mut not_squares));
-        let found = trials.find_map(|found| found).ok_or(Obstacle::Roots)?;
-        for (values, value) in values.values_mut().zip(found) {
-            values[usize::try_from(point).unwrap_or(0)] = value;
-        }
-    }
-    // The root of a square is a magnitude, whose sign the root in the field does not have. Of others every second root does not exist.
-    let mut more = POINTS as u64 * TRIALS..(POINTS as u64 + 1) * TRIALS;
-    let roots = nodes.iter().filter(|node| matches!(way.graph.op(**node), Op::Unary(Unary::Root, _) | Op::Norm(_)));
-    for root in roots {
-        let is_no_square = |of: &BTreeSet<Node>| of.contains(root);
-        while !is_no_square(&not_squares) {
-            let point = more.next().ok_or(Obstacle::Roots)?;
-            at_point(&steps, point, &mut not_squares);
-        }
-    }
-    Ok(values)
-}
-
-/// The numbers at one point; `None` where a root or a quotient does not exist. Roots that do not are noted.
-fn at_point(steps: &[Step], point: u64, not_squares: &mut BTreeSet<Node>) -> Option<Vec<u64>> {
-    let (mut values, mut is_point): (Vec<u64>, _) = (Vec::with_capacity(steps.len()), true);
-    for &Step { node, op, ref operands, constant } in steps {
-        let symbol = || field::random([point, node.index() as u64, 0]);
-        let x: Vec<u64> = operands.iter().map(|&operand| values[operand]).collect();
-        let products = |x: &[u64]| x.iter().copied().reduce(field::multiply).unwrap_or(1);
-        let mut root = |square: u64| {
-            let is_other = field::random([point, node.index() as u64, 1]) & 1 == 1;
-            let root = field::root(square).map(|root| if is_other { field::negative(root) } else { root });
-            root.unwrap_or_else(|| {
-                not_squares.insert(node);
-                is_point = false;
-                symbol()
-            })
-        };
-        let value = match op {
-            Op::Number(_) => constant.unwrap_or_else(symbol),
-            Op::Unary(Unary::Negative, _) => field::negative(x[0]),
-            // The sign is as unknown as a number.
-            Op::Unary(Unary::Absolute, _) => field::multiply(x[0], symbol()),
-            Op::Unary(Unary::Root, _) => root(x[0]),
-            Op::Binary(Binary::Add, ..) => field::add(x[0], x[1]),
-            Op::Binary(Binary::Subtract, ..) => field::add(x[0], field::negative(x[1])),
-            Op::Binary(Binary::Multiply, ..) => products(&x),
-            Op::Binary(Binary::Divide, ..) => field::multiply(x[0], field::inverse(x[1])?),
-            Op::MultiplyAdd(..) => field::add(products(&x[..2]), x[2]),
-            Op::ExactSum(_) => x.chunks(4).map(products).fold(0, field::add),
-            Op::Norm(_) => root(x.iter().map(|&x| field::multiply(x, x)).fold(0, field::add)),
-            _ => symbol(),
-        };
-        values.push(value);
-    }
-    is_point.then_some(values)
+/// The derivative with respect to a number, of those with respect to its uses.
+fn total(uses: &[(Values, Part)]) -> Values {
+    uses.iter().map(|(by, _)| *by).reduce(|x, y| sum(&x, &y)).unwrap_or_default()
 }

@@ -28,7 +28,7 @@ impl Order {
                 _ => continue,
             };
             let (Ok(x), Ok(y)) = (way.resolved(x), way.resolved(y)) else { continue };
-            let (Ok(of_x), Ok(of_y)) = (way.needed(x), way.needed(y)) else { continue };
+            let (Ok(of_x), Ok(of_y)) = (way.needed(&[x]), way.needed(&[y])) else { continue };
             nodes.extend(of_x.into_iter().chain(of_y));
             let (less, more) = if answer { (x, y) } else { (y, x) };
             pairs.push([less, more, by]);
@@ -155,6 +155,7 @@ impl Sign {
 }
 
 /// The signs of the numbers of a way.
+#[derive(Default)]
 pub(super) struct Signs {
     known: BTreeMap<Node, Sign>,
     /// The sums in which nothing cancels.
@@ -288,7 +289,7 @@ impl Signs {
     /// argument of a function is a difference of rounded numbers, of which nothing may be left.
     pub(super) fn is_first_order(&self, way: &Way) -> bool {
         let (mut is_rounded, mut cancels) = (BTreeMap::new(), BTreeMap::new());
-        way.nodes.iter().all(|&node| {
+        way.needed(&way.results[..1]).unwrap_or_default().into_iter().all(|node| {
             let operands = way.operands(node).unwrap_or_default();
             let some = |of: &BTreeMap<Node, bool>| operands.iter().filter(|&operand| of[operand]).count();
             let (rounded, cancelling) = (some(&is_rounded), some(&cancels));

@@ -1,7 +1,7 @@
 //! What is known of the accuracy of a formula, in figures and in words.
 
 use super::field::{Rational, to_f64};
-use crate::formula::{Bounds, Spec};
+use crate::formula::{Bounds, NORMWISE, Spec};
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 
 /// What is proved of value or Jacobian.
@@ -18,6 +18,9 @@ pub struct Summary {
     /// Whether of some proved entry only the first order is.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub first_order_only: bool,
+    /// Whether the bound of some proved entry is normwise.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub normwise: bool,
     /// Why the first of the other entries is not proved.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub why: String,
@@ -45,8 +48,9 @@ impl Summary {
     /// The bound of η, and how it is known; `stated` is what the audit checks, `by` says how that is meant. A proof may give less than
     /// a search shows.
     fn said(&self, stated: f64, by: &str, found: Option<f64>) -> String {
-        let Self { entries, proved, bound, first_order_only, .. } = self;
-        let proof = format!("η ≤ {bound}, proved{}", if *first_order_only { " to first order" } else { "" });
+        let Self { entries, proved, bound, first_order_only, normwise, .. } = self;
+        let order = if *first_order_only { " to first order" } else { "" };
+        let proof = format!("η ≤ {bound}, proved{order}{}", if *normwise { NORMWISE } else { "" });
         if *entries == 0 {
             return "exact".into();
         }

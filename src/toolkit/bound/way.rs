@@ -3,20 +3,17 @@
 use crate::toolkit::graph::{Binary, Graph, Node, Op, Unary};
 use std::collections::BTreeMap;
 
-/// More ways of one result than this are not examined.
-pub const MOST_WAYS: usize = 128;
-
 /// The answers of comparisons on which a way depends; and for a maximum, whether it is its first operand.
 pub type Answers = BTreeMap<Node, bool>;
 
-/// A result on one way.
+/// Results on one way.
 #[derive(Clone)]
 pub(super) struct Way<'a> {
     pub(super) graph: &'a Graph,
     pub(super) answers: &'a Answers,
-    /// The operation that computes the result.
-    pub(super) result: Node,
-    /// The operations that the result depends on, operands first.
+    /// The operations that compute the results.
+    pub(super) results: Vec<Node>,
+    /// The operations that the results depend on, operands first.
     pub(super) nodes: Vec<Node>,
 }
 
@@ -24,12 +21,21 @@ impl<'a> Way<'a> {
     /// The way that these answers describe.
     ///
     /// # Errors
-    /// A comparison that is not answered, but on which the result depends.
-    pub(super) fn new(graph: &'a Graph, answers: &'a Answers, result: Node) -> Result<Self, Node> {
-        let mut way = Self { graph, answers, result, nodes: Vec::new() };
-        way.result = way.resolved(result)?;
-        way.nodes = way.needed(way.result)?;
+    /// A comparison that is not answered, but on which a result depends.
+    pub(super) fn new(graph: &'a Graph, answers: &'a Answers, results: &[Node]) -> Result<Self, Node> {
+        let mut way = Self { graph, answers, results: Vec::new(), nodes: Vec::new() };
+        way.results = results.iter().map(|&result| way.resolved(result)).collect::<Result<_, _>>()?;
+        way.nodes = way.needed(&way.results)?;
         Ok(way)
+    }
+
+    /// The way with all inputs among its operations.
+    pub(super) fn with_inputs(mut self) -> Self {
+        let inputs = self.graph.ops().iter().enumerate().filter(|(_, op)| matches!(op, Op::Input(_)));
+        self.nodes.extend(inputs.map(|(place, _)| Node::at(place)));
+        self.nodes.sort_unstable();
+        self.nodes.dedup();
+        self
     }
 
     /// The operation that computes a number on this way.
@@ -74,46 +80,15 @@ impl<'a> Way<'a> {
         }
     }
 
-    /// A number and all that it is computed from, operands first.
-    pub(super) fn needed(&self, node: Node) -> Result<Vec<Node>, Node> {
-        let mut needed = vec![false; node.index() + 1];
-        needed[node.index()] = true;
-        for place in (0..=node.index()).rev().filter(|&place| place <= node.index()) {
+    /// Numbers and all that they are computed from, operands first.
+    pub(super) fn needed(&self, nodes: &[Node]) -> Result<Vec<Node>, Node> {
+        let mut needed = vec![false; nodes.iter().map(|node| node.index() + 1).max().unwrap_or_default()];
+        nodes.iter().for_each(|node| needed[node.index()] = true);
+        for place in (0..needed.len()).rev() {
             if needed[place] {
                 self.operands(Node::at(place))?.into_iter().for_each(|operand| needed[operand.index()] = true);
             }
         }
         Ok((0..needed.len()).filter(|&place| needed[place]).map(Node::at).collect())
     }
-}
-
-/// The answers of every way of a result; `None` if there are too many.
-pub fn ways(graph: &Graph, result: Node) -> Option<Vec<Answers>> {
-    let (mut open, mut found) = (vec![Answers::new()], Vec::new());
-    while let Some(answers) = open.pop() {
-        match Way::new(graph, &answers, result) {
-            Ok(_) => found.push(answers),
-            Err(undecided) => open.extend([false, true].map(|answer| {
-                let mut answers = answers.clone();
-                answers.insert(undecided, answer);
-                answers
-            })),
-        }
-        if found.len() + open.len() > MOST_WAYS {
-            return None;
-        }
-    }
-    Some(found)
-}
-
-/// Whether all answers that comparisons may have belong to one of these ways.
-pub(super) fn are_all(ways: &[Answers]) -> bool {
-    let Some(comparison) = ways.first().and_then(|way| way.keys().next()).copied() else { return !ways.is_empty() };
-    ways.iter().any(Answers::is_empty)
-        || [false, true].iter().all(|&answer| {
-            let consistent = ways.iter().filter(|way| way.get(&comparison).is_none_or(|&known| known == answer));
-            let rest =
-                |way: &Answers| way.iter().filter(|&(&node, _)| node != comparison).map(|(&n, &a)| (n, a)).collect();
-            are_all(&consistent.map(rest).collect::<Vec<_>>())
-        })
 }

@@ -40,11 +40,12 @@ fn holds(attack: &Attack, proved: [Option<f64>; 2]) -> bool {
     attack.holds() && both.into_iter().all(|((claim, most), proved)| !is_contradicted(claim, *most, proved))
 }
 
-/// Whether a proof is wrong: more is found than it allows, or possible to first order, which is computed in `f64`.
+/// Whether a proof is wrong: more is found than it allows, or possible to first order, which is computed in `f64`. What is found is not
+/// judged normwise where it need not be.
 fn is_contradicted(claim: &Claim, most: f64, proved: Option<f64>) -> bool {
     const ROUNDING: f64 = 1e-3;
-    let found = claim.worst.as_ref().map_or(0.0, |worst| worst.size);
-    proved.is_some_and(|proved| !claim.is_normwise() && found.max(most) > proved * (1.0 + ROUNDING))
+    let found = claim.worst.as_ref().filter(|_| !claim.is_normwise()).map_or(0.0, |worst| worst.size);
+    proved.is_some_and(|proved| found.max(most) > proved * (1.0 + ROUNDING))
 }
 
 /// A line per claim, and the worst points in full.

@@ -7,6 +7,7 @@ use crate::project::Project;
 use crate::selection::{Formulas, Selection};
 use indicatif::ParallelProgressIterator;
 use jointproof::catalog::AnyFormula;
+use jointproof::formula::Field;
 use jointproof::toolkit::bound::{self, Head, Programme, Proof, Summary};
 use jointproof::toolkit::graph::Graph;
 use jointproof::toolkit::verify::Audit;
@@ -82,7 +83,7 @@ fn write(project: &Project, selection: &Selection, formulas: &Formulas) -> anyho
     let bar = progress("prove", formulas.len());
     let prove = |formula: &&dyn AnyFormula| {
         let graph = formula.graph().ok()?;
-        let proof = Proof::of(&graph, formula.inputs(), solve);
+        let proof = proved_of(*formula, &graph);
         Some((
             name(*formula),
             proof.render(&graph, formula.spec().id, &digest(*formula, &graph)),
@@ -144,7 +145,7 @@ fn examined(project: &Project, formula: &dyn AnyFormula) -> Result<Total, String
     let wrong = |why: String| format!("{}: {why}", bold(project.shown(&path)));
     let text = std::fs::read_to_string(&path).map_err(|error| wrong(error.to_string()))?;
     let proof = read(&text, formula, &graph).map_err(wrong)?;
-    proof.check(&graph, formula.inputs()).map_err(wrong)?;
+    proof.check(&graph, fields(formula)).map_err(wrong)?;
     Ok(Total::of(&proof, &graph))
 }
 
@@ -215,14 +216,24 @@ impl Total {
     }
 }
 
+fn proved_of(formula: &dyn AnyFormula, graph: &Graph) -> Proof {
+    Proof::of(graph, fields(formula), formula.spec().normwise.is_some(), solve)
+}
+
+fn fields(formula: &dyn AnyFormula) -> [&[Field]; 2] {
+    [formula.inputs(), formula.outputs()]
+}
+
 /// Solves a linear programme by the simplex method, whose solutions use few rules.
 fn solve(programme: &Programme) -> Option<Vec<f64>> {
     // So little that it only decides between solutions of the same bound.
     const USE: f64 = 1e-6;
     let mut problem = Problem::new(OptimizationDirection::Minimize);
-    let bound = problem.add_var(1.0, (0.0, f64::INFINITY));
+    let weights = programme.room.iter().map(|(weight, _)| weight + 1).max().unwrap_or(1);
+    let bounds: Vec<Variable> = (0..weights).map(|_| problem.add_var(1.0, (0.0, f64::INFINITY))).collect();
     let amounts: Vec<Variable> = programme.rules.iter().map(|_| problem.add_var(USE, (0.0, f64::INFINITY))).collect();
-    let mut parts: Vec<Vec<(Variable, f64)>> = programme.room.iter().map(|&room| vec![(bound, -room)]).collect();
+    let mut parts: Vec<Vec<(Variable, f64)>> =
+        programme.room.iter().map(|&(weight, room)| vec![(bounds[weight], -room)]).collect();
     for (adds, &amount) in programme.rules.iter().zip(&amounts) {
         for &(part, factor) in adds {
             parts[part].push((amount, factor));
@@ -245,7 +256,7 @@ mod tests {
     fn proved(id: &str) -> (&'static dyn AnyFormula, Graph, Proof) {
         let formula = catalog::find(id).unwrap();
         let graph = formula.graph().unwrap();
-        let proof = Proof::of(&graph, formula.inputs(), solve);
+        let proof = proved_of(formula, &graph);
         (formula, graph, proof)
     }
 
@@ -276,7 +287,7 @@ mod tests {
         assert_eq!(
             (
                 again.render(&graph, "slide_line.parabolic_point", &digest(formula, &graph)),
-                again.check(&graph, formula.inputs())
+                again.check(&graph, fields(formula))
             ),
             (text.clone(), Ok(()))
         );
@@ -288,7 +299,7 @@ mod tests {
         assert_eq!(refused, "line 1: the other lines say something else");
         let (&first, _) = proof.results.first_key_value().unwrap();
         let less = Proof { results: proof.results.into_iter().skip(1).collect() };
-        let refused = less.check(&graph, formula.inputs()).unwrap_err();
+        let refused = less.check(&graph, fields(formula)).unwrap_err();
         assert_eq!(refused, format!("nothing is said of result {}", first.index()));
     }
 
@@ -302,13 +313,15 @@ mod tests {
             "join.nodal_forces",
             "slider.eliminate_2d",
             "slide_line.parabolic_point",
+            "universal.constraint_moment",
         ] {
             let (formula, graph, proof) = proved(id);
             let is_input = |node: &Node| matches!(graph.op(*node), Op::Input(_));
             let first = graph.needed(&graph.value).into_iter().find(is_input).unwrap();
             for (&node, certificates) in &proof.results {
-                let certificates = certificates.as_ref().unwrap();
-                let holds = |certificates: &[_]| check(&graph, formula.inputs(), node, certificates);
+                let Ok(certificates) = certificates else { continue };
+                let others: Vec<Node> = graph.value.iter().chain(&graph.jacobian).copied().collect();
+                let holds = |certificates: &[_]| check(&graph, formula.inputs(), node, &others, certificates);
                 assert_eq!(holds(certificates), Ok(()), "{id}");
                 assert!(holds(&certificates[1..]).is_err(), "{id}: a way without a certificate");
                 for k in 0..certificates.len() {
@@ -321,6 +334,9 @@ mod tests {
                     assert!(lower.is_err(), "{id}: a bound that is lower");
                     let way = with(&|of| of.way.values_mut().for_each(|answer| *answer = !*answer));
                     assert!(way.is_err() || certificates[k].way.is_empty(), "{id}: another way");
+                    let by_components = with(&|of| of.beside = None);
+                    let is_same = certificates[k].beside.is_none() || certificates[k].steps.is_empty();
+                    assert!(by_components.is_err() || is_same, "{id}: no longer normwise");
                     for step in 0..certificates[k].steps.len() {
                         let negative = with(&|of| of.steps[step].1 *= -1);
                         assert!(negative.is_err(), "{id}: a negative amount");
