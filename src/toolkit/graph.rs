@@ -25,6 +25,7 @@ mod record;
 mod recorder;
 mod run;
 mod slope;
+mod terms;
 mod text;
 mod traced;
 mod write;

@@ -179,7 +179,6 @@ fn a_shell_is_of_an_element_that_can_be_exported() {
     let export =
         |arguments: &[&str]| bench.run(&[&["export", "--out", out.to_str().unwrap(), "--shell"], arguments].concat());
     export(&["uel"]).bad_usage("--shell uel: an element, by --element slot|slot_2d|");
-    export(&["uel", "--element", "isl22a_linear"]).bad_usage("--element isl22a_linear: it cannot be exported, since");
     export(&["fric", "--element", "slot"]).bad_usage("--element: elements are routines UEL");
 }
 

@@ -129,8 +129,6 @@ pub struct Rubbed<D> {
 pub trait ProvedElement<const M: usize, const DOFS: usize = 12>: Element<M, DOFS> {
     /// Whether the rows are the derivative of the residuals for all positions of the nodes, not only where the residuals vanish.
     const EXACT_ROWS: bool = true;
-    /// Whether its operations are recorded: not those of a search, whose comparisons come out in too many ways.
-    const IS_RECORDED: bool = true;
 
     /// Hand-worked and hard cases, the first of them valid; random ones are added automatically.
     fn cases() -> Vec<Case<Step<Self, f64, M, DOFS>>>;

@@ -40,6 +40,13 @@ impl<D: Scalar> ParabolicSlave<D> {
         let foot = Foot::with_tangent(&view, "g")?;
         Ok((view, foot))
     }
+
+    /// The coordinate of the foot, and whether the curve has a tangent there: 1, or 0 where its derivative vanishes.
+    pub(in crate::contact::slide_line) fn foot_and_tangent(&self) -> [D; 2] {
+        let view = self.view();
+        let foot = Foot::on(&view);
+        [foot.u, if foot.stands_still(&view) { D::zero() } else { D::one() }]
+    }
 }
 
 impl ClosestParabolic {

@@ -3,7 +3,7 @@
 //! The derivative of a composition of formulas is composed of their closed-form derivatives.
 
 use crate::formula::{Component, Fields, Formula, ValueAndJacobian};
-use crate::number::scalar::Scalar;
+use crate::number::scalar::{Scalar, choice};
 use nalgebra::SVector;
 use std::ops::{Add, Mul, Neg};
 
@@ -98,4 +98,25 @@ pub(super) fn through<F: Formula, D: Scalar, const K: usize>(
 #[inline]
 pub(super) fn chain<F: Formula, D: Scalar, const K: usize>(i: &F::Inputs<Term<D, K>>) -> F::Outputs<Term<D, K>> {
     through::<F, D, K>(i, F::linearized)
+}
+
+/// Value and Jacobian of a formula, N numbers in all, as one choice: those of all slave nodes together have too many ways to be
+/// recorded.
+#[inline]
+pub(super) fn joined<F: Formula, D: Scalar, const N: usize>(i: &F::Inputs<D>) -> ValueAndJacobian<F, D> {
+    let found = choice::<D, N>(|| {
+        let (value, by) = F::linearized(i);
+        let (mut all, mut k) = ([D::zero(); N], 0);
+        let mut add = |x: D| {
+            all[k] = x;
+            k += 1;
+        };
+        value.for_each_component(&mut add);
+        by.for_each_component(&mut |gradient: F::Inputs<D>| gradient.for_each_component(&mut add));
+        all
+    });
+    let mut all = found.into_iter();
+    let mut next = || all.next().expect("there are as many numbers as were chosen");
+    let value = F::Outputs::<D>::from_components(&mut next);
+    (value, F::Outputs::<F::Inputs<D>>::from_components(&mut || F::Inputs::<D>::from_components(&mut next)))
 }

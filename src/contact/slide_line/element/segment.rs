@@ -1,6 +1,6 @@
 //! Straight and parabolic segments, and the elements that slide on them, each with its formulas.
 
-use super::chain::{Term, chain, components, through};
+use super::chain::{Term, chain, components, joined, through};
 use super::fields::{Isl21aNodes, Isl21aState, Isl22aNodes, Isl22aState};
 use super::forces;
 use crate::contact::slide_line::{
@@ -10,7 +10,7 @@ use crate::contact::slide_line::{
 };
 use crate::formula::error::Error;
 use crate::formula::{Component, Field, Fields, Formula};
-use crate::number::scalar::{Scalar, abs};
+use crate::number::scalar::{Scalar, abs, choice};
 use nalgebra::Vector2;
 use std::fmt::Debug;
 
@@ -134,7 +134,8 @@ impl Segment<3, 12, 24> for Curved {
     type State<T: Component> = Isl22aState<T>;
 
     fn touched<D: Scalar>(xs: Point<D, 12>, &[x1, x2, x3]: &[Point<D, 12>; 3]) -> Touched<D, 12> {
-        let foot = chain::<ClosestParabolic, _, 12>(&ParabolicSlave { xs, x1, x2, x3 });
+        let foot =
+            through::<ClosestParabolic, _, 12>(&ParabolicSlave { xs, x1, x2, x3 }, joined::<ClosestParabolic, _, 18>);
         Touched { g: foot.g, separation: foot.separation }
     }
 
@@ -161,7 +162,7 @@ impl Segment<3, 12, 24> for Curved {
             let rate = chain::<ParabolicPoint, _, 12>(&ParabolicPlace { x1, x2, x3, g }).dx;
             let dxs = rate.map(|rate| rate * reach * constant(weight));
             let motion = ParabolicMotion { x1, x2, x3, g, dxs, dx1: none, dx2: none, dx3: none };
-            chain::<SlipIncrementParabolic, _, 12>(&motion).dslip
+            through::<SlipIncrementParabolic, _, 12>(&motion, joined::<SlipIncrementParabolic, _, 16>).dslip
         };
         gauss().into_iter().map(part).fold(constant(D::zero()), |path_length, part| path_length + part)
     }
@@ -171,7 +172,8 @@ impl Segment<3, 12, 24> for Curved {
         g: Term<D, 12>,
         [area, s11, s12]: [Term<D, 12>; 3],
     ) -> (Point<D, 12>, [Point<D, 12>; 3]) {
-        let found = chain::<forces::Parabolic, _, 12>(&forces::ParabolicLoads { x1, x2, x3, g, area, s11, s12 });
+        let loads = forces::ParabolicLoads { x1, x2, x3, g, area, s11, s12 };
+        let found = through::<forces::Parabolic, _, 12>(&loads, joined::<forces::Parabolic, _, 88>);
         (found.fs, [found.f1, found.f2, found.f3])
     }
 
@@ -182,11 +184,13 @@ impl Segment<3, 12, 24> for Curved {
 
     fn torque<D: Scalar>(slaves: &[Vector2<D>; 3], pressures: &[D; 3]) -> (D, [Vector2<D>; 3], [D; 3]) {
         let ([x1, x2, x3], [p1, p2, p3]) = (*slaves, *pressures);
-        let (torque, by) = TorqueParabolic::linearized(&ParabolicPressures { x1, x2, x3, p1, p2, p3 });
+        let (torque, by) = joined::<TorqueParabolic, _, 10>(&ParabolicPressures { x1, x2, x3, p1, p2, p3 });
         (torque.t, [by.t.x1, by.t.x2, by.t.x3], [by.t.p1, by.t.p2, by.t.p3])
     }
 
     fn check<D: Scalar>(xs: Vector2<D>, [x1, x2, x3]: [Vector2<D>; 3]) -> Result<(), Error> {
-        ClosestParabolic::validate(&ParabolicSlave { xs, x1, x2, x3 })
+        let slave = ParabolicSlave { xs, x1, x2, x3 };
+        let [g, has_tangent] = choice(|| slave.foot_and_tangent());
+        if has_tangent > 0.0 { Ok(()) } else { Err(Error::NoTangent { coordinate: "g", value: g.re() }) }
     }
 }

@@ -186,7 +186,6 @@ impl<E: ProvedElement<M, DOFS>, const K: usize, const M: usize, const DOFS: usiz
     for Wrong<E, K>
 {
     const EXACT_ROWS: bool = E::EXACT_ROWS;
-    const IS_RECORDED: bool = E::IS_RECORDED;
 
     fn cases() -> Vec<Case<Step<Self, f64, M, DOFS>>> {
         let cases = E::cases().into_iter().take(10);

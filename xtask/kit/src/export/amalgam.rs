@@ -23,7 +23,10 @@ pub(crate) struct Download {
     pub(crate) text: String,
 }
 
-/// The files of all formulas and elements of a project that can be exported.
+/// The largest file to download, in bytes; what is larger is written by the command alone.
+const LARGEST: usize = 400_000;
+
+/// The files of all formulas and elements of a project that can be exported, and are not too large.
 pub(crate) fn downloads(project: &Project) -> Vec<Download> {
     let formulas = project.catalog().iter().map(|&formula| Subject::Formula(formula));
     let elements = project.elements().iter().flat_map(|&element| Subject::forms(element));
@@ -33,7 +36,8 @@ pub(crate) fn downloads(project: &Project) -> Vec<Download> {
     let shells: Vec<_> =
         elements.chain([Shell::Fric, Shell::Mpc, Shell::UmpcUser].map(|shell| (shell, None))).collect();
     let routines = shells.par_iter().flat_map_iter(|&(shell, element)| routine(project, shell, element));
-    routines.chain(recorded.par_iter().flat_map_iter(of)).collect()
+    let all = routines.chain(recorded.par_iter().flat_map_iter(of));
+    all.filter(|download| download.text.len() <= LARGEST).collect()
 }
 
 /// A user routine in both forms of Fortran; none if it cannot be exported.

@@ -196,14 +196,15 @@ impl Printed<'_> {
 /// The largest length of a line; a continuation mark may follow.
 pub(super) const WIDTH: usize = 98;
 
-/// A long line, broken between arguments.
+/// A long line, broken between arguments, or before the first of them where the name alone is long.
 pub(super) fn folded(line: &str, goes_on: &str) -> Vec<String> {
     let hanging = " ".repeat(line.len() - line.trim_start().len() + 4);
     let (mut lines, mut rest) = (Vec::new(), line.to_owned());
     while rest.chars().count() > WIDTH {
-        let Some(comma) = rest.get(..WIDTH - goes_on.len()).and_then(|start| start.rfind(", ")) else { break };
-        lines.push(format!("{},{goes_on}", &rest[..comma]));
-        rest = format!("{hanging}{}", &rest[comma + 2..]);
+        let start = rest.get(..WIDTH - goes_on.len()).unwrap_or_default();
+        let Some(end) = start.rfind(", ").or_else(|| start.rfind('(')).map(|place| place + 1) else { break };
+        lines.push(format!("{}{goes_on}", &rest[..end]));
+        rest = format!("{hanging}{}", rest[end..].trim_start());
     }
     lines.push(rest);
     lines
@@ -232,6 +233,9 @@ mod tests {
                         == [format!("  call({},{sign}", "a".repeat(first)), rest(&format!("{});", "b".repeat(40)))]
             );
         }
+        let named = format!("{}{}([{}]);", " ".repeat(40), "f".repeat(50), vec!["argument"; 20].join(", "));
+        let lines = folded(&named, " &");
+        assert!(lines[0].ends_with("f( &") && lines.iter().all(|line| line.len() <= WIDTH + 1), "{lines:#?}");
         let uninterrupted = "x".repeat(200);
         assert_eq!(folded(&uninterrupted, " &"), std::slice::from_ref(&uninterrupted));
         // As often as needed.

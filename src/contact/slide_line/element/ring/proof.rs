@@ -44,8 +44,6 @@ type Pose<const N: usize> = (Flag, &'static str, &'static str, [Vector2<f64>; N]
 
 /// A segment with its poses.
 trait Posed<const N: usize, const L: usize, const K: usize>: Segment<N, L, K> {
-    /// Whether the closest point is found without a search.
-    const IS_RECORDED: bool;
     fn poses(touching: Flag) -> Vec<Pose<N>>;
     fn point<D: Scalar>(segment: [Vector2<D>; N], g: D) -> CurvePoint<D>;
 }
@@ -55,7 +53,6 @@ fn at(r: f64, z: f64) -> Vector2<f64> {
 }
 
 impl Posed<2, 8, 12> for Straight {
-    const IS_RECORDED: bool = true;
     fn poses(touching: Flag) -> Vec<Pose<2>> {
         let (washer, cone) = ([at(1.0, 0.0), at(5.0, 0.0)], [at(1.0, 0.0), at(5.0, 2.0)]);
         let chain = [[at(1.0, 0.0), at(3.0, 1.0)], [at(3.0, 1.0), at(5.0, 1.25)]];
@@ -99,7 +96,6 @@ impl Posed<2, 8, 12> for Straight {
 }
 
 impl Posed<3, 12, 24> for Curved {
-    const IS_RECORDED: bool = false;
     fn poses(touching: Flag) -> Vec<Pose<3>> {
         let (washer, arch) = ([at(1.0, 0.0), at(3.0, 0.0), at(5.0, 0.0)], [at(1.0, 0.0), at(2.25, 1.0), at(4.0, 0.5)]);
         let bowl = [at(1.0, 1.0), at(2.0, 0.25), at(3.0, 1.0)];
@@ -190,8 +186,6 @@ where
     S: Posed<N, L, K>,
     P: Law,
 {
-    const IS_RECORDED: bool = S::IS_RECORDED;
-
     fn cases() -> Vec<Case<Step<Self, f64, 1, K>>> {
         let state = [vec![-0.5; N], vec![0.125; N]].concat();
         let before = S::State::from_slice(&state).expect("a state has two numbers for every slave node");
