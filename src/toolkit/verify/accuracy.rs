@@ -2,7 +2,7 @@
 
 use super::claim::Claim;
 use super::difference::of_same_field;
-use super::eta::eta_beside;
+use super::eta::{eta_beside, rounding, unless_rounding};
 use super::other_side::OtherSide;
 use super::point::{Names, Point};
 use super::sensitivities::Sensitivities;
@@ -47,9 +47,7 @@ impl Exact {
     /// The largest entry in the row of the k-th.
     pub(super) fn largest_of_output(&self, k: usize, inputs: usize) -> Octuple {
         let row = k / inputs * inputs;
-        self.ad[row..row + inputs]
-            .iter()
-            .fold(Octuple::zero(), |most, entry| if entry.abs() > most { entry.abs() } else { most })
+        largest_of(&self.ad[row..row + inputs])
     }
 
     /// The largest of the entries beside one, with its sensitivity.
@@ -219,6 +217,11 @@ fn check_jacobian<'a>(
     let second = OnceCell::new();
     for (entry, ((&alone, &together), &ad)) in alone.iter().zip(&together).zip(&exact.ad).enumerate() {
         let mut judge = |computed| {
+            let ad = unless_rounding(
+                ad,
+                computed,
+                rounding(ad, exact.closed[entry], exact.largest_of_output(entry, point.exact.len())),
+            );
             let own = exact.sensitivities_up_to(point, entry).map(|bend| eta(computed, ad, bend));
             let vector = || {
                 let own = eta(computed, ad, exact.bend(point, entry));
@@ -249,6 +252,11 @@ fn check_jacobian<'a>(
             judge(together);
         }
     }
+}
+
+/// The size of the largest of these numbers.
+pub(super) fn largest_of(row: &[Octuple]) -> Octuple {
+    row.iter().fold(Octuple::zero(), |most, entry| if entry.abs() > most { entry.abs() } else { most })
 }
 
 fn largest(sizes: impl Iterator<Item = Sensitivity>) -> Sensitivity {

@@ -1,6 +1,8 @@
 //! The exact results at a point, by which the results of another program are judged.
 
+use super::accuracy::largest_of;
 use super::audit::beside_kinks;
+use super::eta::{rounding, unless_rounding};
 use super::point::Options;
 use super::subject::Subject;
 use super::{Sampler, Sensitivity, eta, exact, golden};
@@ -41,12 +43,14 @@ pub struct Known {
     /// The number.
     pub exact: Octuple,
     sensitivity: Sensitivity,
+    /// How exactly it is known.
+    rounding: Octuple,
 }
 
 impl Known {
     /// The backward error of a computed number.
     pub fn eta(&self, computed: f64) -> f64 {
-        eta(computed, self.exact, self.sensitivity)
+        eta(computed, unless_rounding(self.exact, computed, self.rounding), self.sensitivity)
     }
 
     /// Another number with the same sensitivity.
@@ -58,16 +62,18 @@ impl Known {
     /// This number multiplied by another one.
     #[must_use]
     pub fn times(self, factor: f64) -> Self {
-        Self { exact: self.exact * factor, sensitivity: self.sensitivity.times(factor) }
+        let rounding = self.rounding * factor.abs();
+        Self { exact: self.exact * factor, sensitivity: self.sensitivity.times(factor), rounding }
     }
 
     /// A linear combination with double coefficients, whose size is the sum of the sizes of its terms.
     pub fn combined(terms: impl Iterator<Item = (Self, f64)>) -> Self {
-        let none = Self { exact: Octuple::from(0.0), sensitivity: Sensitivity::none() };
+        let zero = Octuple::from(0.0);
+        let none = Self { exact: zero, sensitivity: Sensitivity::none(), rounding: zero };
         terms.fold(none, |sum, (known, factor)| {
             let term = known.times(factor);
             let size = sum.sensitivity.and(term.sensitivity.plus(term.exact));
-            Self { exact: sum.exact + term.exact, sensitivity: size }
+            Self { exact: sum.exact + term.exact, sensitivity: size, rounding: sum.rounding + term.rounding }
         })
     }
 }
@@ -108,16 +114,24 @@ impl Judge {
         let kink = self.subject.kinks.iter().find(|kink| (kink.holds)(&inputs));
         let kink = kink.map(|kink| (kink.condition.clone(), kink.convention));
         let derivative = self.subject.derivative(&inputs);
-        let known = |(&exact, gradient): (&Octuple, &[Octuple])| Known {
+        let values = (self.subject.exact_value)(&inputs);
+        let known = |exact, gradient: &[Octuple], rounding| Known {
             exact,
             sensitivity: Sensitivity::new(gradient, &inputs),
+            rounding,
         };
-        let values = (self.subject.exact_value)(&inputs);
-        let value = values.iter().zip(derivative.chunks(inputs.len())).map(known).collect();
+        let of_value = |(&exact, gradient)| known(exact, gradient, Octuple::from(0.0));
+        let value: Vec<_> = values.iter().zip(derivative.chunks(inputs.len())).map(of_value).collect();
         let has_one = !matches!(kink, Some((_, Convention::Switch)));
         let jacobian = (with_jacobian && has_one).then(|| {
             let sensitivities = self.subject.second_derivative(&inputs);
-            derivative.iter().zip(sensitivities.iter().map(Vec::as_slice)).map(known).collect()
+            let closed = self.subject.spec.is_closed().then(|| (self.subject.exact_jacobian)(&inputs));
+            let entry = |(k, gradient): (usize, &Vec<Octuple>)| {
+                let (ad, row) = (derivative[k], k / inputs.len() * inputs.len());
+                let other = closed.as_ref().map_or(ad, |closed| closed[k]);
+                known(ad, gradient, rounding(ad, other, largest_of(&derivative[row..row + inputs.len()])))
+            };
+            sensitivities.iter().enumerate().map(entry).collect()
         });
         Ok(Truth { value, jacobian, kink })
     }
@@ -128,11 +142,12 @@ mod tests {
     use super::*;
     use crate::connector::slot::ContactForce;
     use crate::contact::coulomb::ReturnMap;
+    use crate::element::cardan::BetaTwoArgument;
     use crate::formula::proof::Proved;
 
     fn known(exact: f64, gradient: f64) -> Known {
         let [exact, gradient] = [exact, gradient].map(Octuple::from);
-        Known { exact, sensitivity: Sensitivity::new(&[gradient], &[1.0.into()]) }
+        Known { exact, sensitivity: Sensitivity::new(&[gradient], &[1.0.into()]), rounding: 0.0.into() }
     }
 
     /// η of a number that is off by 2⁻⁵³.
@@ -151,6 +166,15 @@ mod tests {
         // 0.5 · 3 − 0.25 · 4, where each term has its size and the sensitivity of its number.
         let sum = Known::combined([(known(0.5, 0.5), 3.0), (known(0.25, 1.0), -4.0)].into_iter());
         assert!(sum.exact == 0.5 && eta_beside(sum) == 1.0 / (0.5 + 1.5 + 1.5 + 1.0 + 4.0));
+    }
+
+    /// Along a vector whose length does not matter the derivative is 0, and in 237 bits a rounding.
+    #[test]
+    fn what_is_0_but_for_the_rounding_of_the_reference_is_0() {
+        let point = [1.0, 0.0, 0.0, 0.64, 0.768, -0.024, -0.48, 0.424, 0.768, 0.6, -0.48, 0.64];
+        let truth = Judge::of(Subject::of::<BetaTwoArgument>()).at(&point, true).expect("the inputs are valid");
+        let jacobian = truth.jacobian.expect("it was asked for");
+        assert!(jacobian[0].eta(0.0) == 0.0 && jacobian[0].eta(1e-17) > 1.0);
     }
 
     #[test]

@@ -224,14 +224,14 @@ mod tests {
         assert_eq!(folded(&more, ""), [more.replace(", c);", ","), rest("c);")]);
         // A comma at the limit, and with a continuation mark.
         let edge = |first: usize| format!("  call({}, {});", "a".repeat(first), "b".repeat(40));
-        for (first, sign, breaks) in [(89, "", 2), (90, "", 1), (88, " &", 1), (87, " &", 2)] {
+        for (first, sign, breaks) in [(89, "", 2), (90, "", 3), (88, " &", 3), (87, " &", 2)] {
             let lines = folded(&edge(first), sign);
             assert_eq!(lines.len(), breaks, "{lines:#?}");
-            assert!(
-                breaks == 1
-                    || lines
-                        == [format!("  call({},{sign}", "a".repeat(first)), rest(&format!("{});", "b".repeat(40)))]
-            );
+            let (name, [a, b]) =
+                ("  call(", [format!("{},{sign}", "a".repeat(first)), format!("{});", "b".repeat(40))]);
+            let after_name =
+                if breaks == 2 { vec![format!("{name}{a}")] } else { vec![format!("{name}{sign}"), rest(&a)] };
+            assert_eq!(lines, [after_name, vec![rest(&b)]].concat());
         }
         let named = format!("{}{}([{}]);", " ".repeat(40), "f".repeat(50), vec!["argument"; 20].join(", "));
         let lines = folded(&named, " &");

@@ -1,4 +1,5 @@
-! F is the distance of node m from the line, and A its derivatives with respect to the displacements. {nodes}
+! F is the distance of node m from the line, and A its derivatives with respect to the displacements.
+! {nodes}
 ! All nodes are at X + U; X does not follow from U. It is called as CalculiX 2.20 does: JDOF is (1, 0, 0, ...) the first
 ! time and later what the routine has left; the routine sets the degrees of freedom of all terms, and moves to the first
 ! place one whose coefficient is not 0, because that one is eliminated. F comes in as anything.
