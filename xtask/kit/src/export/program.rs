@@ -196,15 +196,23 @@ impl Printed<'_> {
 /// The largest length of a line; a continuation mark may follow.
 pub(super) const WIDTH: usize = 98;
 
-/// A long line, broken between arguments, or before the first of them where the name alone is long.
+/// A long line, broken between arguments, or before the first of them where the name alone is long; indented less where even that does
+/// not fit.
 pub(super) fn folded(line: &str, goes_on: &str) -> Vec<String> {
-    let hanging = " ".repeat(line.len() - line.trim_start().len() + 4);
+    let mut indent = line.len() - line.trim_start().len();
     let (mut lines, mut rest) = (Vec::new(), line.to_owned());
     while rest.chars().count() > WIDTH {
         let start = rest.get(..WIDTH - goes_on.len()).unwrap_or_default();
-        let Some(end) = start.rfind(", ").or_else(|| start.rfind('(')).map(|place| place + 1) else { break };
-        lines.push(format!("{}{goes_on}", &rest[..end]));
-        rest = format!("{hanging}{}", rest[end..].trim_start());
+        if let Some(end) = start.rfind(", ").or_else(|| start.rfind('(')).map(|place| place + 1) {
+            lines.push(format!("{}{goes_on}", &rest[..end]));
+            rest = format!("{}{}", " ".repeat(indent + 4), rest[end..].trim_start());
+        } else if indent > 0 {
+            let inner = rest.len() - rest.trim_start().len() - indent;
+            indent /= 2;
+            rest = format!("{}{}", " ".repeat(indent + inner), rest.trim_start());
+        } else {
+            break;
+        }
     }
     lines.push(rest);
     lines
@@ -236,6 +244,12 @@ mod tests {
         let named = format!("{}{}([{}]);", " ".repeat(40), "f".repeat(50), vec!["argument"; 20].join(", "));
         let lines = folded(&named, " &");
         assert!(lines[0].ends_with("f( &") && lines.iter().all(|line| line.len() <= WIDTH + 1), "{lines:#?}");
+        let deep = format!("{}{}", " ".repeat(60), named.trim_start());
+        let lines = folded(&deep, " &");
+        assert!(
+            lines[0].trim_start().starts_with('f') && lines.iter().all(|line| line.len() <= WIDTH + 1),
+            "{lines:#?}"
+        );
         let uninterrupted = "x".repeat(200);
         assert_eq!(folded(&uninterrupted, " &"), std::slice::from_ref(&uninterrupted));
         // As often as needed.
