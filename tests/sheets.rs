@@ -10,6 +10,9 @@ use std::collections::BTreeMap;
 /// Numbers by the names of fields.
 type Named = BTreeMap<&'static str, Vec<f64>>;
 
+/// Blocks of a row, each with its name, by their labels.
+type Labelled<'a> = BTreeMap<&'a str, Vec<(&'a str, &'a Vec<f64>)>>;
+
 /// What a user element returns.
 struct Results {
     residuals: Named,
@@ -124,7 +127,9 @@ fn values(element: &str, ids: &[&str], given: &Named, off: &mut Vec<String>) -> 
     let mut given = given.clone();
     for from in ids.iter().filter_map(|id| find(id)).flat_map(|formula| formula.spec().given) {
         let outputs = value(from.from.id, &given).unwrap_or_default();
-        outputs.into_iter().for_each(|(name, numbers)| _ = given.entry(name).or_insert(numbers));
+        for (name, numbers) in outputs {
+            given.entry(name).or_insert(numbers);
+        }
     }
     for id in ids {
         for variant in variants(element, id) {
@@ -161,10 +166,10 @@ fn off(element: &dyn AnyElement, sheet: &str) -> Vec<String> {
         residuals.extend(outputs.into_iter().filter(|(name, _)| results.residuals.contains_key(name)));
     }
     let differ = |name: &&str| !residuals.get(name).is_some_and(|found| is_near(found, &results.residuals[name]));
-    off.extend(results.residuals.keys().copied().filter(|name| differ(&name)).map(|name| format!("residual {name}")));
+    off.extend(results.residuals.keys().copied().filter(|name| differ(name)).map(|name| format!("residual {name}")));
 
     let rows = values(id, &of("rows"), &given, &mut off);
-    let mut labelled: Vec<BTreeMap<&str, Vec<(&str, &Vec<f64>)>>> = Vec::new();
+    let mut labelled: Vec<Labelled> = Vec::new();
     for outputs in &rows {
         let mut labels: BTreeMap<_, Vec<_>> = BTreeMap::new();
         for (name, block) in outputs {
@@ -193,7 +198,7 @@ fn off(element: &dyn AnyElement, sheet: &str) -> Vec<String> {
         }
     }
     off.extend(
-        forces.iter().filter(|(name, f)| !is_near(f, &results.forces[*name])).map(|(name, _)| format!("{name}")),
+        forces.iter().filter(|(name, f)| !is_near(f, &results.forces[*name])).map(|(name, _)| (*name).to_string()),
     );
 
     let mut stiffness: BTreeMap<&str, Vec<f64>> = BTreeMap::new();

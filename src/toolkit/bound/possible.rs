@@ -56,7 +56,7 @@ fn is_possible(graph: &Graph, answers: &Answers) -> bool {
             (Relation::Equal, false, None, Some(0.0)) => _ = others.insert(resolved(x)),
             (Relation::Less, false, None, Some(f64::INFINITY)) => return false,
             (Relation::Less | Relation::LessOrEqual, true, Some(end), None) if end > 0.0 => {
-                _ = others.insert(resolved(y))
+                others.insert(resolved(y));
             }
             (Relation::LessOrEqual, false, Some(f64::MIN_POSITIVE), None) if is_size(y) => {
                 zeros.extend(vanishing(&way, y));

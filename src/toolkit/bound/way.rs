@@ -83,7 +83,9 @@ impl<'a> Way<'a> {
     /// Numbers and all that they are computed from, operands first.
     pub(super) fn needed(&self, nodes: &[Node]) -> Result<Vec<Node>, Node> {
         let mut needed = vec![false; nodes.iter().map(|node| node.index() + 1).max().unwrap_or_default()];
-        nodes.iter().for_each(|node| needed[node.index()] = true);
+        for node in nodes {
+            needed[node.index()] = true;
+        }
         for place in (0..needed.len()).rev() {
             if needed[place] {
                 self.operands(Node::at(place))?.into_iter().for_each(|operand| needed[operand.index()] = true);

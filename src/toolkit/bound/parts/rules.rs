@@ -116,7 +116,9 @@ impl Parts<'_> {
                 }
                 let Some(pivot) = row.iter().position(|&x| x != 0) else { continue };
                 let unit = field::inverse(row[pivot]).unwrap_or_default();
-                row.iter_mut().for_each(|x| *x = field::multiply(*x, unit));
+                for x in &mut row {
+                    *x = field::multiply(*x, unit);
+                }
                 for (_, other) in &mut rows {
                     field::subtract(other, &row, pivot);
                 }
