@@ -221,6 +221,7 @@ fn check_jacobian<'a>(
                 ad,
                 computed,
                 rounding(ad, exact.closed[entry], exact.largest_of_output(entry, point.exact.len())),
+                || exact.bend(point, entry),
             );
             let own = exact.sensitivities_up_to(point, entry).map(|bend| eta(computed, ad, bend));
             let vector = || {

@@ -99,13 +99,19 @@ pub(super) fn eta_beside(computed: f64, exact: Octuple, other: Sensitivity) -> f
 /// does not matter a derivative is 0, and in 237 bits a rounding.
 pub(super) fn rounding(one: Octuple, other: Octuple, largest: Octuple) -> Octuple {
     let off = (one - other).abs();
-    if off <= largest * (-200.0_f64).exp2() { off * 20.0_f64.exp2() } else { Octuple::zero() }
+    if off <= largest * (-200.0_f64).exp2() { off * 4.0 } else { Octuple::zero() }
 }
 
-/// The exact number, or what was computed if it cannot be told from that.
-pub(super) fn unless_rounding(exact: Octuple, computed: f64, rounding: Octuple) -> Octuple {
+/// The exact number, or what was computed if it cannot be told from that, and if its sensitivity is rounding, too.
+pub(super) fn unless_rounding(
+    exact: Octuple,
+    computed: f64,
+    rounding: Octuple,
+    sensitivity: impl FnOnce() -> Sensitivity,
+) -> Octuple {
     let computed = Octuple::from(computed);
-    if (computed - exact).abs() <= rounding { computed } else { exact }
+    let is_rounding = (computed - exact).abs() <= rounding && sensitivity().size() <= rounding * 20.0_f64.exp2();
+    if is_rounding { computed } else { exact }
 }
 
 /// |a − b| / max(|a|, |b|); 0 for two zeros, ∞ where one is NaN.

@@ -50,7 +50,7 @@ pub struct Known {
 impl Known {
     /// The backward error of a computed number.
     pub fn eta(&self, computed: f64) -> f64 {
-        eta(computed, unless_rounding(self.exact, computed, self.rounding), self.sensitivity)
+        eta(computed, unless_rounding(self.exact, computed, self.rounding, || self.sensitivity), self.sensitivity)
     }
 
     /// Another number with the same sensitivity.
