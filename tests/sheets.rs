@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 /// Numbers by the names of fields.
 type Named = BTreeMap<&'static str, Vec<f64>>;
 
-/// Blocks of a row, each with its name, by their labels.
+/// By the names of residuals, the blocks of their rows, each with its unknown.
 type Labelled<'a> = BTreeMap<&'a str, Vec<(&'a str, &'a Vec<f64>)>>;
 
 /// What a user element returns.

@@ -146,7 +146,7 @@ fn derivative_overflow<F: Formula>(i: &F::Inputs<f64>) -> Error {
 }
 
 /// The first field with a component that satisfies the condition.
-fn first_where<T: Component>(fields: &impl Fields<T>, is_so: impl Fn(T) -> bool) -> Option<&'static Field> {
+pub(crate) fn first_where<T: Component>(fields: &impl Fields<T>, is_so: impl Fn(T) -> bool) -> Option<&'static Field> {
     let mut found = None;
     fields.for_each_of_field(&mut |field, component| {
         if found.is_none() && is_so(component) {

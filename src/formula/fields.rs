@@ -5,6 +5,7 @@
 use crate::formula::quantity::Quantity;
 use nalgebra::{SMatrix, Vector2, Vector3};
 use std::fmt::Debug;
+use std::ops::Range;
 
 /// What a field may hold: a number, or a gradient of numbers.
 pub trait Component: Copy + Debug + PartialEq + 'static {}
@@ -33,6 +34,14 @@ impl Field {
     #[expect(clippy::len_without_is_empty, reason = "a field is never empty")]
     pub const fn len(&self) -> usize {
         self.quantity.shape.len()
+    }
+
+    /// The components of each of these fields, in order.
+    pub fn ranges(fields: &[Self]) -> impl Iterator<Item = Range<usize>> {
+        fields.iter().scan(0, |end, field| {
+            *end += field.len();
+            Some(*end - field.len()..*end)
+        })
     }
 }
 

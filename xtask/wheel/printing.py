@@ -272,7 +272,7 @@ class Body:
             for other in before.setdefault(name, []):
                 opposite = {(condition, not holds) for condition, holds in surely(self.needed[other])}
                 common = [one for one in opposite & surely(self.needed[place]) if one[0] < other]
-                if common and not self._follows(place, other):
+                if common and not self._follows([place], other):
                     condition, holds = min(common)
                     yes, no = (place, other) if holds else (other, place)
                     self.alternatives[place] = self.alternatives[other] = condition, yes, no
@@ -281,9 +281,9 @@ class Body:
             else:
                 before[name].append(place)
 
-    def _follows(self, place, other):
-        """Whether a result is computed from another one."""
-        todo, seen = [place], set()
+    def _follows(self, places, other):
+        """Whether one of these results is another one or computed from it."""
+        todo, seen = list(places), set()
         while todo:
             one = todo.pop()
             if one == other:
@@ -376,7 +376,7 @@ class Body:
         safe = SAFE.get(self.program.ops[places[0]][0], ())[k : k + 1]
         needed = either_of(self.needed[place] for place in places)
         is_number = all(self.program.number(operand) is not None for operand in operands)
-        if safe in ((), (None,)) or needed in (ALWAYS, NEVER) or is_number or any(self._decides(place, needed) for place in places):
+        if safe in ((), (None,)) or needed in (ALWAYS, NEVER) or is_number or any(self._follows(conditions(needed), place) for place in places):
             return text
         key = operands, safe, needed
         if key not in self.safe:
@@ -384,18 +384,6 @@ class Body:
             self.safe[key] = f"t{len(self.lines) + 1}"
             self.lines.append(f"{self.safe[key]} = lib.safe({holds}, {bare(text)}, {safe[0]!r})")
         return self.safe[key]
-
-    def _decides(self, place, needed):
-        """Whether the conditions under which a result is needed follow from this result."""
-        todo, seen = list(conditions(needed)), set()
-        while todo:
-            one = todo.pop()
-            if one == place:
-                return True
-            if one > place and one not in seen:
-                seen.add(one)
-                todo.extend(self.program.operands(one))
-        return False
 
     def _holds(self, needed):
         kind, *parts = needed

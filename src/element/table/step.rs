@@ -4,7 +4,7 @@
 
 use super::lanes::{Column, Failure, LANES, Lanes, Wiring};
 use crate::formula::error::Error;
-use crate::formula::{Described, Fields, Formula};
+use crate::formula::{Described, Fields, Formula, first_where};
 use crate::number::scalar::abs;
 use crate::{Octuple, Scalar};
 use std::cell::Cell;
@@ -135,13 +135,8 @@ fn error_of<F: Formula, T: Number>(inputs: &F::Inputs<T>) -> Option<Error> {
     if let Err(error) = T::validate::<F>(inputs) {
         return Some(error);
     }
-    let mut name = None;
-    F::eval(inputs).for_each_of_field(&mut |field, value| {
-        if !is_double(value) {
-            name.get_or_insert(field.name);
-        }
-    });
-    name.map(|name| Error::Overflow { name })
+    let field = first_where(&F::eval(inputs), |value| !is_double(value))?;
+    Some(Error::Overflow { name: field.name })
 }
 
 /// Neither NaN nor larger than the largest double.

@@ -85,7 +85,8 @@ fn prove_on(
     beside: Option<&[Node]>,
     solve: &impl Fn(&Programme) -> Option<Vec<f64>>,
 ) -> Result<Certificate, String> {
-    let (way, fields) = (way(graph, &answers, result, beside)?, beside.map(|_| ranges(inputs)));
+    let (way, fields) =
+        (way(graph, &answers, result, beside)?, beside.map(|_| Field::ranges(inputs).collect::<Vec<_>>()));
     let mut parts = parts(&way, inputs, fields.as_deref())?;
     let is_first_order = parts.is_first_order;
     let mut steps = Vec::new();
@@ -144,19 +145,9 @@ fn added_up_on(
     certificate: &Certificate,
 ) -> Result<(Rational, bool), String> {
     let way = way(graph, &certificate.way, result, certificate.beside.as_deref())?;
-    let fields = certificate.beside.as_ref().map(|_| ranges(inputs));
+    let fields = certificate.beside.as_ref().map(|_| Field::ranges(inputs).collect::<Vec<_>>());
     let mut parts = parts(&way, inputs, fields.as_deref())?;
     Ok((added_up(&mut parts, &certificate.steps)?, parts.is_first_order))
-}
-
-/// The components of each field.
-pub(super) fn ranges(fields: &[Field]) -> Vec<Range<usize>> {
-    let mut start = 0;
-    let next = |field: &Field| {
-        start += field.len();
-        start - field.len()..start
-    };
-    fields.iter().map(next).collect()
 }
 
 fn way<'a>(graph: &'a Graph, answers: &'a Answers, result: Node, beside: Option<&[Node]>) -> Result<Way<'a>, String> {

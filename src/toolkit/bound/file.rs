@@ -1,6 +1,6 @@
 //! The file of the certificates of a formula: a line in JSON for the graph, and one for each result and way.
 
-use super::certificate::{Certificate, Programme, check, prove, ranges};
+use super::certificate::{Certificate, Programme, check, prove};
 use super::field::Rational;
 use super::parts::{Part, Rule};
 use super::summary::Summary;
@@ -204,7 +204,7 @@ impl Head {
 /// The distinct results of a graph, each with those beside it: of a component, the others of the same output; of a derivative, those with
 /// respect to the other components of the same input, or where that is a scalar, those of the other components of the same output.
 fn results(graph: &Graph, inputs: &[Field], outputs: &[Field]) -> BTreeMap<Node, Vec<Node>> {
-    let [of_inputs, of_outputs] = [inputs, outputs].map(ranges);
+    let [of_inputs, of_outputs] = [inputs, outputs].map(|fields| Field::ranges(fields).collect::<Vec<_>>());
     let count = of_inputs.last().map_or(0, |last| last.end);
     let field =
         |fields: &[Range<usize>], k: usize| fields.iter().find(|field| field.contains(&k)).cloned().unwrap_or(k..k + 1);

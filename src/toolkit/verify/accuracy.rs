@@ -1,8 +1,8 @@
 //! The exact results at a point, and the backward errors of value and Jacobian in `f64`.
 
 use super::claim::Claim;
-use super::difference::of_same_field;
-use super::eta::{eta_beside, rounding, unless_rounding};
+use super::difference::{largest_of, of_same_field};
+use super::eta::{eta_beside, is_rounding, rounding};
 use super::other_side::OtherSide;
 use super::point::{Names, Point};
 use super::sensitivities::Sensitivities;
@@ -13,7 +13,6 @@ use crate::formula::Spec;
 use crate::formula::proof::Convention;
 use crate::formula::quantity::Domain;
 use crate::toolkit::graph::Node;
-use num_traits::{Signed, Zero};
 use std::cell::OnceCell;
 use std::iter;
 
@@ -217,12 +216,6 @@ fn check_jacobian<'a>(
     let second = OnceCell::new();
     for (entry, ((&alone, &together), &ad)) in alone.iter().zip(&together).zip(&exact.ad).enumerate() {
         let mut judge = |computed| {
-            let ad = unless_rounding(
-                ad,
-                computed,
-                rounding(ad, exact.closed[entry], exact.largest_of_output(entry, point.exact.len())),
-                || exact.bend(point, entry),
-            );
             let own = exact.sensitivities_up_to(point, entry).map(|bend| eta(computed, ad, bend));
             let vector = || {
                 let own = eta(computed, ad, exact.bend(point, entry));
@@ -242,8 +235,13 @@ fn check_jacobian<'a>(
                 let beside = entries_beside(point, entry).map(|k| entries[k]);
                 Some(eta_there(computed, side.result(entries[entry]), (side, entries[entry]), beside, point))
             };
+            let nothing = || {
+                let largest = exact.largest_of_output(entry, point.exact.len());
+                let rounding = rounding(ad, exact.closed[entry], largest);
+                is_rounding(computed, ad, exact.bend(point, entry), rounding).then_some(0.0)
+            };
             let describe = |size| point.deviation(size, names.entry(entry), computed, ad.to_f64());
-            claim.record_last_or(sizes, claim.bound, [&by_fields, &there], describe)
+            claim.record_last_or(sizes, claim.bound, [&by_fields, &there, &nothing], describe)
         };
         let size = judge(alone);
         // The same number is judged only once.
@@ -253,11 +251,6 @@ fn check_jacobian<'a>(
             judge(together);
         }
     }
-}
-
-/// The size of the largest of these numbers.
-pub(super) fn largest_of(row: &[Octuple]) -> Octuple {
-    row.iter().fold(Octuple::zero(), |most, entry| if entry.abs() > most { entry.abs() } else { most })
 }
 
 fn largest(sizes: impl Iterator<Item = Sensitivity>) -> Sensitivity {

@@ -96,21 +96,17 @@ pub(super) fn differences(
 
 /// The components of the field to which this one belongs, including itself.
 pub(super) fn of_same_field(fields: &[Field], component: usize) -> Range<usize> {
-    let mut first = 0;
-    for field in fields {
-        let end = first + field.len();
-        if component < end {
-            return first..end;
-        }
-        first = end;
-    }
-    component..component
+    Field::ranges(fields).find(|range| range.contains(&component)).unwrap_or(component..component)
+}
+
+/// The size of the largest of these numbers.
+pub(super) fn largest_of(numbers: &[Octuple]) -> Octuple {
+    numbers.iter().map(Signed::abs).fold(Octuple::zero(), |largest, x| if x > largest { x } else { largest })
 }
 
 /// The largest number of the field of the k-th component.
 pub(super) fn largest_of_field(fields: &[Field], numbers: &[Octuple], k: usize) -> Octuple {
-    let same = numbers.get(of_same_field(fields, k)).unwrap_or_default().iter();
-    same.map(Signed::abs).fold(Octuple::zero(), |largest, x| if x > largest { x } else { largest })
+    largest_of(numbers.get(of_same_field(fields, k)).unwrap_or_default())
 }
 
 /// |x|, or the largest of its field where x is 0, or the largest of its unit where the whole field is 0, or 1.

@@ -22,14 +22,9 @@ impl Sensitivity {
     /// The same by whole vectors, Σ |∂y/∂x| |x| over the fields x: the change of y where each vector changes by its size in the worst
     /// direction. It does not depend on the axes.
     pub(crate) fn by_fields(fields: &[Field], gradient: &[Octuple], inputs: &[Octuple]) -> Self {
-        let (mut sum, mut start) = (Octuple::zero(), 0);
-        for field in fields {
-            let range = start..start + field.len();
-            start = range.end;
-            let length = |all: &[Octuple]| all.iter().fold(Octuple::zero(), |sum, &x| sum + x * x).sqrt();
-            sum += length(&gradient[range.clone()]) * length(&inputs[range]);
-        }
-        Self(sum)
+        let length = |all: &[Octuple]| all.iter().fold(Octuple::zero(), |sum, &x| sum + x * x).sqrt();
+        let terms = Field::ranges(fields).map(|range| length(&gradient[range.clone()]) * length(&inputs[range]));
+        Self(terms.fold(Octuple::zero(), |sum, term| sum + term))
     }
 
     /// For a number that depends on no input.
@@ -95,23 +90,16 @@ pub(super) fn eta_beside(computed: f64, exact: Octuple, other: Sensitivity) -> f
     if eta.is_nan() { f64::INFINITY } else { eta }
 }
 
-/// How exactly an entry is known that was computed in 237 bits in two ways, beside the largest of its row: along a vector whose length
-/// does not matter a derivative is 0, and in 237 bits a rounding.
+/// How exactly a derivative is known that was computed in 237 bits in two ways: along a vector whose length does not matter it is 0, and
+/// in 237 bits a rounding of the largest in its row. Two ways that are further apart than that are no roundings of each other.
 pub(super) fn rounding(one: Octuple, other: Octuple, largest: Octuple) -> Octuple {
     let off = (one - other).abs();
     if off <= largest * (-200.0_f64).exp2() { off * 4.0 } else { Octuple::zero() }
 }
 
-/// The exact number, or what was computed if it cannot be told from that, and if its sensitivity is rounding, too.
-pub(super) fn unless_rounding(
-    exact: Octuple,
-    computed: f64,
-    rounding: Octuple,
-    sensitivity: impl FnOnce() -> Sensitivity,
-) -> Octuple {
-    let computed = Octuple::from(computed);
-    let is_rounding = (computed - exact).abs() <= rounding && sensitivity().size() <= rounding * 20.0_f64.exp2();
-    if is_rounding { computed } else { exact }
+/// Whether a computed number cannot be told from the exact one, as that and its sensitivity are known no better.
+pub(super) fn is_rounding(computed: f64, exact: Octuple, sensitivity: Sensitivity, rounding: Octuple) -> bool {
+    (Octuple::from(computed) - exact).abs() <= rounding && sensitivity.size() <= rounding * 20.0_f64.exp2()
 }
 
 /// |a − b| / max(|a|, |b|); 0 for two zeros, ∞ where one is NaN.

@@ -1,8 +1,8 @@
 //! The exact results at a point, by which the results of another program are judged.
 
-use super::accuracy::largest_of;
 use super::audit::beside_kinks;
-use super::eta::{rounding, unless_rounding};
+use super::difference::largest_of;
+use super::eta::{is_rounding, rounding};
 use super::point::Options;
 use super::subject::Subject;
 use super::{Sampler, Sensitivity, eta, exact, golden};
@@ -50,7 +50,10 @@ pub struct Known {
 impl Known {
     /// The backward error of a computed number.
     pub fn eta(&self, computed: f64) -> f64 {
-        eta(computed, unless_rounding(self.exact, computed, self.rounding, || self.sensitivity), self.sensitivity)
+        if is_rounding(computed, self.exact, self.sensitivity, self.rounding) {
+            return 0.0;
+        }
+        eta(computed, self.exact, self.sensitivity)
     }
 
     /// Another number with the same sensitivity.
@@ -127,9 +130,9 @@ impl Judge {
             let sensitivities = self.subject.second_derivative(&inputs);
             let closed = self.subject.spec.is_closed().then(|| (self.subject.exact_jacobian)(&inputs));
             let entry = |(k, gradient): (usize, &Vec<Octuple>)| {
-                let (ad, row) = (derivative[k], k / inputs.len() * inputs.len());
+                let (ad, row) = (derivative[k], &derivative[k / inputs.len() * inputs.len()..][..inputs.len()]);
                 let other = closed.as_ref().map_or(ad, |closed| closed[k]);
-                known(ad, gradient, rounding(ad, other, largest_of(&derivative[row..row + inputs.len()])))
+                known(ad, gradient, rounding(ad, other, largest_of(row)))
             };
             sensitivities.iter().enumerate().map(entry).collect()
         });

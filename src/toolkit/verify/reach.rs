@@ -73,7 +73,7 @@ impl<'a> Search<'a> {
         Self {
             subject,
             branches,
-            fields: ranges(subject.inputs),
+            fields: Field::ranges(subject.inputs).collect(),
             triads: triads(subject.inputs),
             tally: branches.tally(),
             starts: vec![Default::default(); branches.comparisons.len()],
@@ -195,20 +195,10 @@ impl<'a> Search<'a> {
     }
 }
 
-/// The components of each field.
-fn ranges(fields: &[Field]) -> Vec<Range<usize>> {
-    let mut end = 0;
-    let range = |field: &Field| {
-        end += field.len();
-        end - field.len()..end
-    };
-    fields.iter().map(range).collect()
-}
-
 /// The components of the unit vectors of each node, and of each direction.
 fn triads(fields: &[Field]) -> Vec<Vec<Range<usize>>> {
     let mut triads: Vec<(Domain, Vec<Range<usize>>)> = Vec::new();
-    for (field, range) in fields.iter().zip(ranges(fields)) {
+    for (field, range) in fields.iter().zip(Field::ranges(fields)) {
         let (Domain::Triad(..) | Domain::Direction) = field.quantity.domain else { continue };
         let is_same = |domain: &Domain| match (domain, field.quantity.domain) {
             (Domain::Triad(node, _), Domain::Triad(other, _)) => *node == other,

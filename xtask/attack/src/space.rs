@@ -1,7 +1,7 @@
 //! The space of inputs: the sizes and the values that a formula states, and the random numbers to move in it.
 
-use crate::target::ranges;
 use jointproof::catalog::AnyFormula;
+use jointproof::formula::Field;
 use jointproof::formula::quantity::{Domain, Node, Unit};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
@@ -36,7 +36,7 @@ impl Space {
             domain: field.quantity.domain,
             unit: field.quantity.unit,
         };
-        let places: Vec<_> = fields.iter().zip(ranges(fields)).map(place).collect();
+        let places: Vec<_> = fields.iter().zip(Field::ranges(fields)).map(place).collect();
         let mut nodes: Vec<(Node, Triad)> = Vec::new();
         let mut free = Vec::new();
         for Place { range, domain, .. } in &places {

@@ -61,29 +61,19 @@ pub(crate) fn targets(formula: &dyn AnyFormula, graph: &Graph) -> Vec<Target> {
 
 /// The other components of the field that has this one.
 fn others(fields: &[Field], component: usize) -> impl Iterator<Item = usize> + use<> {
-    ranges(fields).into_iter().find(|range| range.contains(&component)).unwrap_or(0..0).filter(move |&k| k != component)
+    Field::ranges(fields).find(|range| range.contains(&component)).unwrap_or(0..0).filter(move |&k| k != component)
 }
 
 /// Whether a component is of an angle.
 fn is_angle(fields: &[Field], component: usize) -> bool {
-    let field = ranges(fields).iter().position(|range| range.contains(&component));
+    let field = Field::ranges(fields).position(|range| range.contains(&component));
     field.is_some_and(|field| fields[field].quantity.domain == Domain::Angle)
-}
-
-/// The components of each field.
-pub(crate) fn ranges(fields: &[Field]) -> Vec<Range<usize>> {
-    let mut start = 0;
-    let next = |field: &Field| {
-        start += field.len();
-        start - field.len()..start
-    };
-    fields.iter().map(next).collect()
 }
 
 /// The components of what the sensitivities of a formula are to: of whole vectors if its bounds are normwise.
 pub(crate) fn fields(formula: &dyn AnyFormula) -> Vec<Range<usize>> {
     if formula.spec().normwise.is_some() {
-        return ranges(formula.inputs());
+        return Field::ranges(formula.inputs()).collect();
     }
     (0..count(formula.inputs())).map(|k| k..k + 1).collect()
 }
