@@ -17,8 +17,10 @@ pub mod quantity;
 mod source;
 mod spec;
 
+#[cfg(feature = "scene")]
+pub(crate) use checked::first_where;
 #[cfg(feature = "batch")]
-pub(crate) use checked::{are_allowed, first_where, is_plain};
+pub(crate) use checked::{are_allowed, is_plain};
 pub use checked::{check, value, value_and_jacobian};
 pub(crate) use few::cross_gradient;
 use fields::following;
