@@ -1,7 +1,8 @@
 //! What is wrong with the answers of a routine that should be an element.
 
-use super::{Interface, Point};
+use super::point::Point;
 use crate::console::count;
+use crate::uel::Interface;
 use judge::Answer;
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -13,7 +14,7 @@ const SHOWN: usize = 6;
 pub(super) struct Found {
     /// The points at which something is.
     pub(super) off: usize,
-    /// The way of [`WAYS`] that is nearest.
+    /// The way of `WAYS` that is nearest.
     pub(super) way: usize,
     /// What is wrong with whole answers.
     pub(super) faults: Vec<Fault>,
