@@ -194,7 +194,7 @@ fn an_entry_has_its_statements_with_links() {
     let lines = book::of_formula(&documents::all(), &world(), slot::ConstraintForce::SPEC.id);
     let line = lines.iter().find(|line| line.contains("[SLOT L32](traceability.html#slot-L32)")).unwrap();
     for link in [
-        "[case `axes`](golden/slot.constraint_force.json)",
+        "[case `running`](golden/slot.constraint_force.json)",
         "[`Slot::constraint_force`](source/src/connector/slot/connector.rs.html#L",
     ] {
         assert!(line.contains(link), "{line}");
