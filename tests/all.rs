@@ -40,6 +40,7 @@ mod scene_golden;
 mod scene_mutations;
 mod scene_orientations;
 mod scene_parts;
+mod scene_shared_nodes;
 mod scene_slide_lines;
 mod scene_tables;
 mod scene_ujoint;

@@ -45,7 +45,8 @@ fn text() -> Value {
 fn of_dimension(dimension: Dimension) -> Value {
     let kinds: Vec<_> = Kind::all().filter(|kind| kind.dimension == dimension).collect();
     let at = or_array(vector(dimension.coordinates()));
-    let node = record(&entries(keys::NODE, [at, text()]), &["at"]);
+    let mut node = record(&entries(keys::NODE, [at, text(), text()]), &[]);
+    node["oneOf"] = json!(["at", "with"].map(|key| json!({ "required": [key] })));
     let elements: Vec<_> = kinds.iter().map(|kind| of_kind(kind)).collect();
     let mut outputs: Vec<_> = kinds.iter().flat_map(|kind| kind.outputs()).map(|(name, _)| name).collect();
     outputs.sort_unstable();

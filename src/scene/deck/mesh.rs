@@ -68,23 +68,36 @@ pub(super) fn element(reading: &mut Reading, block: &Block) {
     };
     let set = block.label(&mut reading.log, "ELSET").map(|(label, _)| (reading.scope, label.key));
     let mut members = Vec::new();
-    let mut lines = block.full(reading.sources);
+    let mut lines = block.full(reading.sources).peekable();
     while let Some(line) = lines.next() {
         let mut fields: Vec<Field> = line.fields().collect();
         let mut last = line;
-        // A comma at the end continues a line that has too few nodes.
+        // A comma at the end continues a line that has too few nodes. But a connector may have one node, and a line with more than
+        // another node is the next one.
+        let is_more = |fields: &[Field], next: &Line| of.slides() || fields.len() + next.fields().count() <= 3;
         while fields.len() < of.nodes() + 1 && last.text.trim_end().ends_with(',') {
-            let Some(next) = lines.next() else { break };
+            let Some(next) = lines.next_if(|next| is_more(&fields, next)) else { break };
             fields.extend(next.fields());
             last = next;
         }
         let Some(number) = reading.identifier(fields[0]) else { continue };
+        // The node that is not named is on the ground.
+        if !of.slides() && fields.len() == 2 {
+            fields.push(Field { text: "", place: line.place });
+        }
         if fields.len() != of.nodes() + 1 {
             let found = format!("{} nodes", fields.len() - 1);
-            reading.fault(line.place, found, format!("{} nodes, for {}", of.nodes(), label.key));
+            let or = if of.slides() { "" } else { ", or 1 and ground" };
+            reading.fault(line.place, found, format!("{} nodes{or}, for {}", of.nodes(), label.key));
             continue;
         }
-        let ends: Option<ArrayVec<_, 3>> = fields[1..].iter().map(|&field| reading.node(field)).collect();
+        let is_ground = |field: &Field| !of.slides() && field.text.is_empty();
+        let one_is_named = !fields[1..].iter().all(is_ground);
+        let ground = (!reading.scope, number);
+        let mut end = |field: &Field| {
+            if is_ground(field) && one_is_named { Some((ground, field.place)) } else { reading.node(*field) }
+        };
+        let ends: Option<ArrayVec<_, 3>> = fields[1..].iter().map(&mut end).collect();
         let Some(nodes) = ends else { continue };
         let place = fields[0].place;
         if reading.model.elements.insert((reading.scope, number), Element { of, nodes, place }).is_some() {

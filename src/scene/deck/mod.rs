@@ -6,6 +6,7 @@
 mod block;
 mod connector;
 mod contact;
+mod ends;
 mod field;
 mod keywords;
 mod log;
@@ -88,7 +89,8 @@ impl Deck {
         let starts = Starts::of(&blocks);
         let mut reading = Reading::new(&sources, log);
         walk::walk(&mut reading, &blocks);
-        let Reading { model, mut log, .. } = reading;
+        let Reading { mut model, mut log, .. } = reading;
+        model.add_grounds();
         let text = if log.faults.is_empty() { write::write(&model, &mut log) } else { Text::default() };
         drop((model, blocks));
         let Log { faults, more, mut notes, .. } = log;

@@ -6,7 +6,8 @@ use super::source::Place;
 use indexmap::IndexMap;
 use std::collections::HashMap;
 
-/// The index of an instance; 0 is the assembly, or a deck without parts.
+/// The index of an instance; 0 is the assembly, or a deck without parts. The complement of each is that of the grounds of its
+/// connectors, which have the numbers of their connectors.
 pub(super) type Scope = u32;
 
 /// A node or an element: its scope and its number.
@@ -205,7 +206,21 @@ pub(super) struct Request {
 impl Model {
     /// A number as the scene names it.
     pub(super) fn shown(&self, (scope, number): Numbered) -> String {
-        let of = &self.scopes[scope as usize];
-        if of.is_empty() { number.to_string() } else { format!("{of}.{number}") }
+        match self.scopes.get(scope as usize) {
+            None => format!("ground of {}", self.shown((!scope, number))),
+            Some(of) if of.is_empty() => number.to_string(),
+            Some(of) => format!("{of}.{number}"),
+        }
+    }
+
+    /// Gives connectors to ground a node there: at the start it is at their other node (Connector elements, connection to ground).
+    pub(super) fn add_grounds(&mut self) {
+        for (&(scope, number), element) in &self.elements {
+            let ground = (!scope, number);
+            let Some(&(_, place)) = element.nodes.iter().find(|(node, _)| *node == ground) else { continue };
+            let other = element.nodes.iter().find(|(node, _)| *node != ground);
+            let at = other.and_then(|(node, _)| self.nodes.get(node)).map_or([0.0; 3], |node| node.at);
+            self.nodes.insert(ground, Node { at, place });
+        }
     }
 }

@@ -114,7 +114,7 @@ pub(super) fn are_in(model: &Model, scope: Scope, key: &str, place: Place) -> Ve
 }
 
 /// The nodes that a reference names.
-pub(super) fn nodes_of(model: &Model, reference: &Reference, log: &mut Log) -> Vec<(Numbered, Place)> {
+fn nodes_of(model: &Model, reference: &Reference, log: &mut Log) -> Vec<(Numbered, Place)> {
     let Reference { scope, of, place, .. } = reference;
     let is_known = |node| model.nodes.contains_key(&node);
     match of {
@@ -125,4 +125,26 @@ pub(super) fn nodes_of(model: &Model, reference: &Reference, log: &mut Log) -> V
             Vec::new()
         }
     }
+}
+
+/// The nodes of each SLIDER: first, last and the node between.
+pub(super) fn sliders(model: &Model, log: &mut Log) -> Vec<([Numbered; 3], Place)> {
+    let mut all = Vec::new();
+    for references in &model.sliders {
+        let [first, last, nodes] = references.each_ref().map(|reference| nodes_of(model, reference, log));
+        for (k, &(node, _)) in nodes.iter().enumerate() {
+            // A set for an end of the line has one node, or one for each node on it.
+            let end = |ends: &[(Numbered, Place)]| ends.get(if ends.len() == 1 { 0 } else { k }).map(|&(end, _)| end);
+            match (end(&first), end(&last)) {
+                (Some(first), Some(last)) => all.push(([first, last, node], references[2].place)),
+                _ if first.is_empty() || last.is_empty() => {}
+                _ => {
+                    let found = format!("{} nodes for {} ends of lines", nodes.len(), first.len().min(last.len()));
+                    log.fault(references[2].place, found, "one line, or one for each node");
+                    break;
+                }
+            }
+        }
+    }
+    all
 }

@@ -19,37 +19,15 @@ pub(super) struct Triad {
 #[derive(Default)]
 pub(super) struct Triads {
     pub(super) list: Vec<Triad>,
-    /// The triad of each node, by their indices.
-    pub(super) of: HashMap<usize, usize>,
     /// Those of orientations, and of the nodes on which their axes depend.
     known: HashMap<(Named, Option<usize>), Option<usize>>,
     global: Option<usize>,
-    /// Those that nodes b have only from their nodes a.
-    inherited: HashMap<usize, usize>,
 }
 
 /// The name of an orientation in a scope, and where it is named.
 type Wanted<'l> = (u32, &'l Label, Place);
 
 impl Triads {
-    /// Gives a node a triad; a fault if it has another.
-    pub(super) fn give(&mut self, node: usize, triad: usize, place: Place, log: &mut Log) {
-        let before = *self.of.entry(node).or_insert(triad);
-        if before != triad {
-            let [before, triad] = [before, triad].map(|triad| &self.list[triad].name);
-            let found = format!("orientation {triad:?} at a node that has {before:?}");
-            log.fault(place, found, "one orientation for each node; two coincident nodes may have two");
-        }
-    }
-
-    /// A node b without an orientation has the triad of a at the start.
-    pub(super) fn inherit(&mut self, node: usize, triad: usize, place: Place, log: &mut Log) {
-        let before = *self.inherited.entry(node).or_insert(triad);
-        if before != triad || self.of.get(&node).is_some_and(|own| *own != triad) {
-            self.give(node, triad, place, log);
-        }
-    }
-
     /// The global axes.
     pub(super) fn global(&mut self, place: Place) -> usize {
         *self.global.get_or_insert_with(|| {

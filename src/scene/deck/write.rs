@@ -1,11 +1,11 @@
 //! From what a deck says to the text of a scene.
 
-use super::field::Label;
+use super::ends::Ends;
 use super::log::Log;
-use super::model::{At, Element, Interface, Model, Numbered, Section, SlideLine, Type};
+use super::model::{Element, Interface, Model, Numbered, Section, SlideLine, Type};
 use super::plan::{Planned, planned};
 use super::requests::Requested;
-use super::sets::{members, nodes_of};
+use super::sets::{members, sliders};
 use super::source::Place;
 use super::terms::{GLOBAL_IF_NONE, dimension_of};
 use super::text::{ARRAY, OBJECT, Text};
@@ -27,6 +27,7 @@ struct Draft<'m> {
     sliders: Vec<([Numbered; 3], Place)>,
     requested: Requested,
     triads: Triads,
+    ends: Ends,
     /// Whether the scene has a node, by its index.
     is_used: Vec<bool>,
 }
@@ -46,7 +47,7 @@ pub(super) fn write(model: &Model, log: &mut Log) -> Text {
     let lines = owners(named, "slide line", &|element| element.of.slides(), log);
     let named = model.interfaces.iter().map(|of| (of.scope, &*of.elements.0.key, of.elements.1)).collect();
     let interfaces = owners(named, "interface", &|element| element.of.slides(), log);
-    let (triads, is_used) = (Triads::default(), vec![false; model.nodes.len()]);
+    let (triads, ends, is_used) = (Triads::default(), Ends::default(), vec![false; model.nodes.len()]);
     let sliders = sliders(model, log);
     let is_planned = |section: u32| !plans[section as usize].is_empty();
     let has = |index: usize| lines[index].is_some() || sections[index].is_some_and(is_planned);
@@ -55,7 +56,8 @@ pub(super) fn write(model: &Model, log: &mut Log) -> Text {
     let slide = slide.filter_map(|of| sliding_kind(of, dimension));
     let kinds: Vec<_> = plans.iter().flatten().map(|plan| plan.kind).chain(slide).collect();
     let requested = Requested::of(model, &kinds, &has, log);
-    let mut draft = Draft { model, dimension, sections, lines, interfaces, plans, sliders, requested, triads, is_used };
+    let mut draft =
+        Draft { model, dimension, sections, lines, interfaces, plans, sliders, requested, triads, ends, is_used };
     draft.check(log);
     draft.write(&mut text, log);
     text
@@ -116,28 +118,6 @@ fn owners(
     owners
 }
 
-/// The nodes of each SLIDER: first, last and the node between.
-fn sliders(model: &Model, log: &mut Log) -> Vec<([Numbered; 3], Place)> {
-    let mut all = Vec::new();
-    for references in &model.sliders {
-        let [first, last, nodes] = references.each_ref().map(|reference| nodes_of(model, reference, log));
-        for (k, &(node, _)) in nodes.iter().enumerate() {
-            // A set for an end of the line has one node, or one for each node on it.
-            let end = |ends: &[(Numbered, Place)]| ends.get(if ends.len() == 1 { 0 } else { k }).map(|&(end, _)| end);
-            match (end(&first), end(&last)) {
-                (Some(first), Some(last)) => all.push(([first, last, node], references[2].place)),
-                _ if first.is_empty() || last.is_empty() => {}
-                _ => {
-                    let found = format!("{} nodes for {} ends of lines", nodes.len(), first.len().min(last.len()));
-                    log.fault(references[2].place, found, "one line, or one for each node");
-                    break;
-                }
-            }
-        }
-    }
-    all
-}
-
 impl<'m> Draft<'m> {
     fn use_node(&mut self, node: Numbered, place: Place, log: &mut Log) -> Option<usize> {
         let index = self.model.nodes.get_index_of(&node);
@@ -176,7 +156,7 @@ impl<'m> Draft<'m> {
             let [Some(a), Some(b)] = nodes[..] else { continue };
             for k in 0..self.plans[section as usize].len() {
                 let kind = self.plans[section as usize][k].kind;
-                self.orient(kind, &model.sections[section as usize], [a, b], log);
+                self.orient(kind, &model.sections[section as usize], (index, [a, b]), log);
             }
         }
         let of_lines = model.lines.iter().flat_map(|line| line.nodes.iter().copied());
@@ -197,39 +177,40 @@ impl<'m> Draft<'m> {
         }
     }
 
-    /// Gives the nodes of a connector the triads of its section.
-    fn orient(&mut self, kind: &Kind, section: &'m Section, [a, b]: [usize; 2], log: &mut Log) {
+    /// Gives a connector the triads of its section at its nodes.
+    fn orient(&mut self, kind: &Kind, section: &Section, (connector, [a, b]): (usize, [usize; 2]), log: &mut Log) {
         let is_plane = self.dimension != Dimension::Space;
         let [at_a, at_b] = &section.orientations;
-        let give = |triads: &mut Triads, node, (label, place): &'m At<Label>, log: &mut Log| {
-            let triad = triads.find(self.model, node, (section.scope, label, *place), is_plane, log)?;
-            triads.give(node, triad, *place, log);
-            Some(triad)
-        };
+        let triads = &mut self.triads;
         let triad_of_a = match at_a {
             _ if !kind.reads_triad(0) => None,
-            Some(orientation) => give(&mut self.triads, a, orientation, log),
-            None if GLOBAL_IF_NONE.contains(&kind.name) => {
-                let global = self.triads.global(section.place);
-                self.triads.give(a, global, section.place, log);
-                Some(global)
-            }
+            Some((label, place)) => triads.find(self.model, a, (section.scope, label, *place), is_plane, log),
+            None if GLOBAL_IF_NONE.contains(&kind.name) => Some(triads.global(section.place)),
             None => {
                 let found = format!("no orientation at a, in whose axes {} measures", kind.name.to_uppercase());
                 log.fault(section.place, found, "a second data line with the name of an orientation");
                 None
             }
         };
+        if let Some(triad) = triad_of_a {
+            self.ends.give(connector, 0, a, triad);
+        }
         match (at_b, triad_of_a) {
             _ if !kind.reads_triad(1) => {}
-            (Some(orientation), _) => drop(give(&mut self.triads, b, orientation, log)),
-            // The connection library lets it be that of a.
-            (None, Some(triad)) => {
-                let place = at_a.as_ref().map_or(section.place, |(_, place)| *place);
-                self.triads.inherit(b, triad, place, log);
+            (Some((label, place)), _) => {
+                if let Some(triad) = triads.find(self.model, b, (section.scope, label, *place), is_plane, log) {
+                    self.ends.give(connector, 1, b, triad);
+                }
             }
+            // The connection library lets it be that of a.
+            (None, Some(triad)) => self.ends.inherit(connector, 1, b, triad),
             (None, None) => {}
         }
+    }
+
+    /// The name of a node in a triad that is not its own.
+    fn with_triad(&self, node: Numbered, triad: usize) -> String {
+        format!("{} ({})", self.model.shown(node), self.triads.list[triad].name)
     }
 
     fn write(&mut self, text: &mut Text, log: &mut Log) {
@@ -273,18 +254,32 @@ impl<'m> Draft<'m> {
     }
 
     fn write_nodes(&self, text: &mut Text, log: &mut Log) {
+        let others = self.ends.others();
+        let others = |index| others.get(&index).into_iter().flatten().map(|&other| Some(other));
         let used = self.model.nodes.iter().enumerate().filter(|(index, _)| self.is_used[*index]);
+        let nodes = used.flat_map(|(index, node)| {
+            std::iter::once(None).chain(others(index)).map(move |other| (index, node, other))
+        });
         let coordinates = self.dimension.coordinates();
-        text.list(OBJECT, true, used, |text, (index, (&number, node))| {
-            text.from(node.place).key(&self.model.shown(number));
-            let triad = self.triads.of.get(&index).map(|&triad| &self.triads.list[triad].name);
+        let orientation = |text: &mut Text, triad: usize| {
+            text.json.push_str(", ");
+            text.key(keys::NODE[1]);
+            text.string(&self.triads.list[triad].name);
+        };
+        text.list(OBJECT, true, nodes, |text, (index, (&number, node), other)| {
+            let name = other.map_or_else(|| self.model.shown(number), |triad| self.with_triad(number, triad));
+            text.from(node.place).key(&name);
             text.json.push_str("{ ");
+            if let Some(triad) = other {
+                text.key(keys::NODE[2]);
+                text.string(&self.model.shown(number));
+                orientation(text, triad);
+                return text.json.push_str(" }");
+            }
             text.key(keys::NODE[0]);
             text.list(ARRAY, false, &node.at[..coordinates], |text, coordinate| text.number(*coordinate));
-            if let Some(name) = triad {
-                text.json.push_str(", ");
-                text.key(keys::NODE[1]);
-                text.string(name);
+            if let Some(triad) = self.ends.triad(index) {
+                orientation(text, triad);
             }
             text.json.push_str(" }");
             if let Some(third) = node.at[coordinates..].iter().find(|third| **third != 0.0) {
@@ -417,11 +412,14 @@ impl<'m> Draft<'m> {
     }
 
     fn write_element(&self, text: &mut Text, entry: &Entry, outputs: &[&str]) {
-        let nodes = |text: &mut Text, nodes: &[(Numbered, Place)]| {
+        let named = |text: &mut Text, nodes: &[(Numbered, Place)], name: &dyn Fn(usize, Numbered) -> String| {
             text.json.push_str(", ");
             text.key(keys::ELEMENT[1]);
-            text.list(ARRAY, false, nodes, |text, &(node, place)| text.from(place).string(&self.model.shown(node)));
+            text.list(ARRAY, false, nodes.iter().enumerate(), |text, (end, &(node, place))| {
+                text.from(place).string(&name(end, node));
+            });
         };
+        let nodes = |text: &mut Text, nodes: &[_]| named(text, nodes, &|_, node| self.model.shown(node));
         match *entry {
             Entry::Connector(index, number, element, plan, is_part) => {
                 let of = if is_part { format!(" {}", plan.kind.name) } else { String::new() };
@@ -432,7 +430,10 @@ impl<'m> Draft<'m> {
                 text.key(keys::ELEMENT[0]);
                 text.string(plan.kind.name);
                 text.from(element.place);
-                nodes(text, &element.nodes);
+                named(text, &element.nodes, &|end, node| match self.ends.other(index, end) {
+                    Some(triad) => self.with_triad(node, triad),
+                    None => self.model.shown(node),
+                });
                 for &(key, number, place) in &plan.parameters {
                     text.from(place).json.push_str(", ");
                     text.key(key);

@@ -101,6 +101,8 @@ impl Scene {
 pub(super) struct SceneNode {
     /// The global axes if `None`.
     pub(super) orientation: Option<u32>,
+    /// The node with which it moves and rotates, if it is at another one.
+    pub(super) with: Option<u32>,
 }
 
 /// A slide line, and how often its torque is output.

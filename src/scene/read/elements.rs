@@ -228,9 +228,14 @@ fn nodes_of(reader: &mut Reader, kind: &Kind, nodes: &Named<Option<SceneNode>>) 
         reader.fault(place, found, "sets of equally many nodes, and single nodes");
         return Ok(vec![None; ends.len()]);
     }
+    // One that moves with another is that one, in another orientation.
+    let at = |end: &Members, place| {
+        let number = end.number(place);
+        nodes[number].and_then(|node| node.with).unwrap_or(number)
+    };
     for index in 1..ends.len() {
         let Some(end) = ends[index] else { continue };
-        let is_twice = |place| ends[..index].iter().flatten().any(|before| before.number(place) == end.number(place));
+        let is_twice = |place| ends[..index].iter().flatten().any(|before| at(before, place) == at(&end, place));
         if let Some(twice) = (0..count).find(|&place| is_twice(place)) {
             let node = nodes.name(end.number(twice));
             reader.fault(place, format!("node {node:?} for the second time"), "different nodes");

@@ -97,7 +97,13 @@ impl<'k> Mentions<'k> {
                 time = time_of(reader, last)?;
                 Ok(())
             }
-            1 => moved.each(reader, index, |reader, nodes, _| motion_of(reader, *dimension, nodes, &mut frame)),
+            1 => {
+                let known = moved.known;
+                moved.each(reader, index, |reader, nodes, place| {
+                    check_own(reader, place, known, nodes);
+                    motion_of(reader, *dimension, nodes, &mut frame)
+                })
+            }
             _ if sliding => pressed.each(reader, index, |reader, nodes, place| {
                 check_sliding(reader, place, slides, nodes);
                 if let Some(pressure) = reader.number(Domain::NonNegative)? {
@@ -132,6 +138,18 @@ fn time_of(reader: &mut Reader, last: Option<f64>) -> Read<Given> {
 pub(super) fn check_sliding(reader: &mut Reader, place: usize, slides: &[bool], nodes: Members) {
     if nodes.numbers().any(|node| !slides[node as usize]) {
         reader.fault(place, "a node of no element", "a node that slides on a line");
+    }
+}
+
+/// Records a fault if this node moves with another.
+pub(super) fn check_own(reader: &mut Reader, place: usize, known: &Named<Option<SceneNode>>, nodes: Members) {
+    if let Some(with) = known[nodes.number(0)].and_then(|node| node.with) {
+        let [node, with] = [nodes.number(0), with].map(|number| known.name(number));
+        reader.fault(
+            place,
+            format!("node {node:?}, which moves with {with:?}"),
+            format!("{with:?}, with which it moves"),
+        );
     }
 }
 

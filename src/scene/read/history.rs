@@ -1,7 +1,7 @@
 //! The history of a scene as columns: frames whose values are arrays over all states.
 
 use super::columns::{Columns, Reference};
-use super::frames::{Mentions, check_sliding, motions};
+use super::frames::{Mentions, check_own, check_sliding, motions};
 use super::keys;
 use crate::formula::quantity::Domain;
 use crate::scene::json::{Mark, Read, Reader};
@@ -41,7 +41,8 @@ pub(super) fn history_of(
             time = array_of(reader, columns)?;
             Ok(())
         }
-        1 => mentions.moved.each(reader, 0, |reader, of, _| {
+        1 => mentions.moved.each(reader, 0, |reader, of, place| {
+            check_own(reader, place, mentions.pressed.known, of);
             reader.record(motions(dimension), |reader, key| {
                 want(reader, of, [Quantity::Moves, Quantity::Turns][key], Domain::Real)
             })?;

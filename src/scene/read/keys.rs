@@ -16,7 +16,8 @@ pub(in crate::scene) const SCENE: [&str; 10] = [
     "frames",
     "outputs",
 ];
-pub(in crate::scene) const NODE: [&str; 2] = ["at", "orientation"];
+/// The keys of a node, which has either the first or the last.
+pub(in crate::scene) const NODE: [&str; 3] = ["at", "orientation", "with"];
 /// The keys of an orientation in space, of which exactly one must be present.
 pub(in crate::scene) const SPACE_ORIENTATION: [&str; 3] = ["axes", "rotation", "quaternion"];
 pub(in crate::scene) const PLANE_ORIENTATION: [&str; 1] = ["angle"];

@@ -3,26 +3,26 @@
 use crate::scene::json::{Read, Reader, Stop, some_of};
 use crate::scene::model::{Members, Named};
 
-/// The members of an object whose keys are names, each once; `item` receives its number. A faulty entry may still have a name, to
+/// The members of an object whose keys are names, each once. A faulty entry may still have a name, to
 /// which others can refer without another fault; if there are no names at all, nothing that could refer to them is read.
 pub(super) fn named<'t, T>(
     reader: &mut Reader<'t>,
-    mut item: impl FnMut(&mut Reader<'t>, u32) -> Read<T>,
+    mut item: impl FnMut(&mut Reader<'t>) -> Read<T>,
 ) -> Read<Named<T>> {
-    named_sets(reader, |reader, number| Ok((None, item(reader, number)?)))
+    named_sets(reader, |reader, _| Ok((None, item(reader)?)))
 }
 
-/// The same if an entry may be a set with a number of members.
+/// The same if an entry may be a set with a number of members; `item` receives those above.
 pub(super) fn named_sets<'t, T>(
     reader: &mut Reader<'t>,
-    mut item: impl FnMut(&mut Reader<'t>, u32) -> Read<(Option<u32>, T)>,
+    mut item: impl FnMut(&mut Reader<'t>, &Named<T>) -> Read<(Option<u32>, T)>,
 ) -> Read<Named<T>> {
     let mut all = Named::default();
     let is_object = reader.object("an object of named entries", |reader, name, place| {
         if name.is_empty() {
             reader.fault(place, "an empty name", "a name");
         }
-        let (count, value) = item(reader, all.next_number())?;
+        let (count, value) = item(reader, &all)?;
         if all.knows(name) {
             reader.fault(place, format!("{name:?} for the second time"), "each name once");
         } else if all.push(name, count, value).is_err() {

@@ -38,24 +38,35 @@ pub(super) fn nodes_of(
     columns: &Columns,
 ) -> Read<Nodes> {
     let mut all = Vec::new();
-    let named = named_sets(reader, |reader, _| {
+    let named = named_sets(reader, |reader, above: &Named<Option<SceneNode>>| {
         let place = reader.place();
-        let (mut given, mut at, mut orientation, mut sound) = (false, None, None, true);
+        let (mut given, mut at, mut with, mut orientation, mut sound) = (0, None, None, None, true);
         let is_object = reader.record(&keys::NODE, |reader, key| {
-            if key == 0 {
-                given = true;
-                at = positions(reader, dimension, columns)?;
-            } else {
-                orientation = refer(reader, orientations, "orientation")?;
-                // An unknown orientation is not also reported as missing.
-                sound = orientation.is_some();
+            match key {
+                0 => {
+                    given += 1;
+                    at = positions(reader, dimension, columns)?;
+                }
+                1 => {
+                    orientation = refer(reader, orientations, "orientation")?;
+                    // An unknown orientation is not also reported as missing.
+                    sound = orientation.is_some();
+                }
+                _ => {
+                    given += 1;
+                    let other = refer(reader, above, "node above")?;
+                    with = other.map(|other| above[other].and_then(|node| node.with).unwrap_or(other));
+                    at = with.map(|with| At::One(all.get(with as usize).copied().unwrap_or_default()));
+                }
             }
             Ok(())
         })?;
-        if is_object && !given {
-            reader.fault(place, "a node without \"at\"", "a node with its coordinates");
+        if is_object && given != 1 {
+            let found = if given == 0 { "a node without \"at\"" } else { "a node with \"at\" and \"with\"" };
+            let allowed = "a node with its coordinates, or with the name of a node above, with which it moves";
+            reader.fault(place, found, allowed);
         }
-        let node = at.as_ref().filter(|_| sound).map(|_| SceneNode { orientation });
+        let node = at.as_ref().filter(|_| sound).map(|_| SceneNode { orientation, with });
         let count = match at {
             Some(At::One(at)) => {
                 all.push(at);
@@ -102,7 +113,7 @@ fn positions(reader: &mut Reader, dimension: Dimension, columns: &Columns) -> Re
 
 pub(super) fn orientations_of(reader: &mut Reader, dimension: Dimension) -> Read<Named<Option<Orientation>>> {
     let keys: &[&str] = if dimension == Dimension::Space { &keys::SPACE_ORIENTATION } else { &keys::PLANE_ORIENTATION };
-    named(reader, |reader, _| {
+    named(reader, |reader| {
         let place = reader.place();
         let mut found = Vec::new();
         reader.record(keys, |reader, key| {

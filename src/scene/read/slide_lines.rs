@@ -13,7 +13,7 @@ use std::ops::RangeInclusive;
 
 /// The slide lines of a scene; their nodes have the numbers of the scene.
 pub(super) fn slide_lines_of(reader: &mut Reader, nodes: &Named<Option<SceneNode>>) -> Read<Named<Option<SceneLine>>> {
-    named(reader, |reader, _| slide_line(reader, nodes))
+    named(reader, |reader| slide_line(reader, nodes))
 }
 
 fn slide_line(reader: &mut Reader, nodes: &Named<Option<SceneNode>>) -> Read<Option<SceneLine>> {

@@ -49,7 +49,7 @@ impl Inherited {
 
     /// Sets the inherited orientations of the nodes.
     pub(super) fn give(&self, place: usize, node: SceneNode) -> SceneNode {
-        SceneNode { orientation: node.orientation.or_else(|| self.of.get(&place).copied()) }
+        SceneNode { orientation: node.orientation.or_else(|| self.of.get(&place).copied()), ..node }
     }
 }
 

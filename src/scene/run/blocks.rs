@@ -10,6 +10,8 @@ use crate::scene::plan::Group;
 pub(super) struct End {
     /// The indices of the nodes.
     pub(super) places: Column<u32>,
+    /// The numbers of their triads.
+    pub(super) triads: Column<u32>,
     /// The triad shared by all of them, if any.
     pub(super) triad: Option<u32>,
 }

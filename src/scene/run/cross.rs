@@ -56,7 +56,7 @@ impl Crosses {
 fn seen<T: Number>(scene: &Scene, element: u32, nodes: &NodeStates<'_, T>) -> [f64; 2] {
     let (thing, member) = scene.elements.locate(element);
     let ends = &scene.elements.things()[thing].nodes;
-    let [a, b] = [0, 1].map(|end| nodes.triad(nodes.triad_of(nodes.place(ends[end].number(member)))));
+    let [a, b] = [0, 1].map(|end| nodes.triad(nodes.triad_of(ends[end].number(member))));
     [a[1], a[2]].map(|axis| axis.dot(&b[2]).rounded())
 }
 

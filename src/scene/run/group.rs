@@ -46,11 +46,13 @@ impl<T: Number> GroupState<T> {
                 }
             }
             ends.extend((0..group.kind.nodes.len()).map(|node| {
-                let mut places = [0; LANES];
-                for (place, &(element, member)) in places.iter_mut().zip(&given) {
-                    *place = nodes.place(element.nodes[node].number(member));
+                let (mut places, mut triads) = ([0; LANES], [0; LANES]);
+                for (lane, &(element, member)) in given.iter().enumerate() {
+                    let number = element.nodes[node].number(member);
+                    (places[lane], triads[lane]) = (nodes.place(number), nodes.triad_of(number));
                 }
-                End { places, triad: nodes.common_triad(&places[..block.len()]) }
+                let is_common = triads[..block.len()].iter().all(|&triad| triad == triads[0]);
+                End { places, triads, triad: is_common.then_some(triads[0]) }
             }));
         }
         Self { lasting, passing: zeros(recipe.passing), ends, starts: 0, states: 0 }
@@ -172,9 +174,9 @@ impl<T: Number> Inputs<'_, T> {
                 Origin::Position(node) => lanes.fill(span, &ends[node].places, nodes.positions()),
                 Origin::Increment(node) => lanes.fill(span, &ends[node].places, nodes.increments()),
                 Origin::Axis(node, axis) => {
-                    let End { places, triad } = &ends[node];
+                    let End { triads, triad, .. } = &ends[node];
                     match *triad {
-                        None => lanes.fill(span, places, |place| nodes.triad(nodes.triad_of(place))[axis]),
+                        None => lanes.fill(span, triads, |triad| nodes.triad(triad)[axis]),
                         Some(triad) if *spread != Some(triad) => lanes.spread(span, nodes.triad(triad)[axis]),
                         Some(_) => {}
                     }

@@ -22,11 +22,12 @@ pub(super) struct NodeStates<'s, T> {
     displacements: Cow<'s, [[f64; 3]]>,
     /// Displacements in the last state, if increments are needed.
     before: Option<Cow<'s, [[f64; 3]]>>,
-    /// The triad of every node, by its index here, if an element reads one.
+    /// The triad of every node of the scene, if an element reads one.
     triad_of: Vec<u32>,
     /// The global triad and the orientations of the scene, which nodes share; then those of the nodes that rotate.
     triads: Vec<Axes<T>>,
-    /// The nodes that rotate in any state, by their numbers in the scene, and the triads from which they rotate.
+    /// The nodes that rotate in any state, by their numbers in the scene, and the triads from which they rotate; one with which
+    /// others rotate is there for each of them, too.
     turning: Vec<(u32, u32)>,
     /// Their rotation vectors in the last state, if angles are followed.
     rotations: Option<Vec<[f64; 3]>>,
@@ -38,10 +39,17 @@ impl<'s, T: Number> NodeStates<'s, T> {
         let passes = || plan.groups.iter().flat_map(|group| [&group.recipe.start, &group.recipe.state]);
         let reads = |is: fn(Origin) -> bool| passes().any(|pass| pass.reads.iter().any(|&(origin, _)| is(origin)));
         let increments = reads(|origin| matches!(origin, Origin::Increment(_))) || !plan.contacts.is_empty();
-        let (fixed, moving) = changed(scene, |frame| &frame.moves);
+        let is_moved = changed(scene, |frame| &frame.moves);
+        let own = (0..scene.nodes.next_number()).filter(|&node| scene.nodes[node].with.is_none());
+        let (moving, fixed): (Vec<_>, Vec<_>) = own.partition(|&node| is_moved[node as usize]);
         let mut places = vec![0; scene.nodes.len()];
         for (&node, place) in fixed.iter().chain(&moving).zip(0..) {
             places[node as usize] = place;
+        }
+        for node in 0..places.len() {
+            if let Some(with) = scene.nodes[node as u32].with {
+                places[node] = places[with as usize];
+            }
         }
         let displacements: Cow<'s, [_]> = Cow::Owned(vec![[0.0; 3]; moving.len()]);
         let mut nodes = Self {
@@ -68,17 +76,17 @@ impl<'s, T: Number> NodeStates<'s, T> {
 
     /// Every node has the triad of its orientation; those that rotate in any state have a triad of their own.
     fn share_triads(&mut self, scene: &Scene) {
-        self.triad_of = vec![0; scene.nodes.len()];
-        let orientations =
-            scene.nodes.iter().flat_map(|(_, members, node)| members.numbers().map(|_| node.orientation));
-        for (orientation, &place) in orientations.zip(&self.places) {
-            self.triad_of[place as usize] = orientation.map_or(0, |index| index + 1);
-        }
-        let (_, turning) = changed(scene, |frame| &frame.turns);
+        let nodes =
+            || scene.nodes.iter().flat_map(|(_, members, node)| members.numbers().map(move |number| (number, node)));
+        self.triad_of = nodes().map(|(_, node)| node.orientation.map_or(0, |index| index + 1)).collect();
+        let is_turned = changed(scene, |frame| &frame.turns);
+        let turning = nodes().map(|(number, node)| (node.with.unwrap_or(number), number));
+        let mut turning: Vec<_> = turning.filter(|&(with, _)| is_turned[with as usize]).collect();
+        turning.sort_unstable();
         let first = u32::try_from(self.triads.len()).expect("orientations and nodes together are numbered in 32 bits");
-        for (node, own) in turning.into_iter().zip(first..) {
-            let triad = &mut self.triad_of[self.places[node as usize] as usize];
-            self.turning.push((node, *triad));
+        for ((with, node), own) in turning.into_iter().zip(first..) {
+            let triad = &mut self.triad_of[node as usize];
+            self.turning.push((with, *triad));
             self.triads.push(self.triads[*triad as usize]);
             *triad = own;
         }
@@ -129,17 +137,9 @@ impl<'s, T: Number> NodeStates<'s, T> {
         }
     }
 
-    /// The number of a node's triad.
-    #[inline]
-    pub(super) fn triad_of(&self, place: u32) -> u32 {
-        self.triad_of[place as usize]
-    }
-
-    /// The number of the triad of all these nodes, if it is the same.
-    pub(super) fn common_triad(&self, places: &[u32]) -> Option<u32> {
-        let triad = |&place: &u32| self.triad_of.get(place as usize).copied();
-        let first = triad(places.first()?)?;
-        places.iter().all(|place| triad(place) == Some(first)).then_some(first)
+    /// The number of the triad of a node of the scene; the global one if no element reads any.
+    pub(super) fn triad_of(&self, node: u32) -> u32 {
+        self.triad_of.get(node as usize).copied().unwrap_or_default()
     }
 
     /// A current triad by its number.
@@ -185,22 +185,17 @@ impl<'s, T: Number> NodeStates<'s, T> {
     }
 
     fn turn_some(&mut self, frame: &Frame) {
+        let turning = &self.turning;
         if let Some(rotations) = &mut self.rotations {
-            for (node, by) in frame.turns.iter(0..frame.turns.of.len()) {
-                if let Ok(turning) = self.turning.binary_search_by_key(&node, |&(node, _)| node) {
-                    rotations[turning] = by;
-                }
-            }
+            for_each_turn(&frame.turns, turning, |index, by| rotations[index] = by);
         }
-        let (turning, places, triad_of) = (&self.turning, &self.places, &self.triad_of);
         let common = self.triads.len() - turning.len();
         let (common, own) = self.triads.split_at_mut(common);
         shared(own, |first, triads| {
             let turning = &turning[first..first + triads.len()];
-            for (node, by) in among(&frame.turns, turning, |&(node, _)| node) {
-                let own = triad_of[places[node as usize] as usize] as usize - common.len() - first;
-                triads[own] = turned(&common[turning[own].1 as usize], by);
-            }
+            for_each_turn(&frame.turns, turning, |index, by| {
+                triads[index] = turned(&common[turning[index].1 as usize], by);
+            });
         });
     }
 
@@ -222,12 +217,23 @@ impl<'s, T: Number> NodeStates<'s, T> {
     }
 }
 
-/// The nodes that no frame changes, and those that some frame changes, by their numbers in the scene.
-fn changed(scene: &Scene, changes: impl Fn(&Frame) -> &Changes<[f64; 3]>) -> (Vec<u32>, Vec<u32>) {
+/// Whether some frame changes each node of the scene.
+fn changed(scene: &Scene, changes: impl Fn(&Frame) -> &Changes<[f64; 3]>) -> Vec<bool> {
     let mut is_changed = vec![false; scene.nodes.len()];
     let all = scene.history.mentions().iter().flat_map(|frame| &*changes(frame).of);
     all.for_each(|&node| is_changed[node as usize] = true);
-    (0..scene.nodes.next_number()).partition(|&node| !is_changed[node as usize])
+    is_changed
+}
+
+/// The rotation vectors of those among the turning nodes that a frame turns, with their indices.
+fn for_each_turn(turns: &Changes<[f64; 3]>, turning: &[(u32, u32)], mut turn: impl FnMut(usize, [f64; 3])) {
+    let mut turns = among(turns, turning, |&(node, _)| node).peekable();
+    for (index, &(node, _)) in turning.iter().enumerate() {
+        while turns.next_if(|&(before, _)| before < node).is_some() {}
+        if let Some(&(_, by)) = turns.peek().filter(|&&(of, _)| of == node) {
+            turn(index, by);
+        }
+    }
 }
 
 /// The changes of these nodes, which are sorted.

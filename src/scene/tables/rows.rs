@@ -218,6 +218,12 @@ impl<'s> Rows<'s> {
             let found = format!("{:?} for the second time in the state at time {:?}", self.text(name), self.time);
             return Err(self.fault(name, found, "each once in a state, or the whole state again"));
         }
+        let first = members.number(0);
+        if let Some(with) = (self.subject == Subject::Motions).then(|| self.scene.nodes[first].with).flatten() {
+            let [node, with] = [first, with].map(|number| self.scene.nodes.name(number));
+            let found = format!("node {node:?}, which moves with {with:?}");
+            return Err(self.fault(name, found, format!("{with:?}, with which it moves")));
+        }
         let dimension = self.scene.dimension();
         let (mut motion, mut turn) = ([0.0; 3], [0.0; 3]);
         let [mut moves, mut turns] = [false; 2];
