@@ -32,6 +32,7 @@ mod scene_clarity;
 mod scene_column_faults;
 mod scene_columns;
 mod scene_deck_faults;
+mod scene_deck_generated;
 mod scene_deck_styles;
 mod scene_decks;
 mod scene_faults;

@@ -4,7 +4,7 @@ use super::block::Block;
 use super::field::without_blanks;
 use super::reading::Reading;
 use super::terms::{COMPONENTS, PREDEFINED, is_rotation};
-use super::{connector, contact, mesh, requests};
+use super::{connector, contact, generate, mesh, requests};
 use crate::scene::kind::{Dimension, Kind};
 
 /// A keyword that is read.
@@ -108,6 +108,8 @@ const KEYWORDS: &[Keyword] = &[
             ["SYSTEM=C", "`at`: radius, angle and height", "L, degrees, L"],
         ],
     ),
+    keyword("NGEN", &["NSET", "LINE"], generate::nodes, &[["first, last, increment", "nodes at equal distances", "L"]])
+        .without_effect(&["SYSTEM"]),
     keyword("NSET", &["NSET", "GENERATE", "INSTANCE"], mesh::node_set, &[["members", "nodes of constraints", ""]])
         .without_effect(&["INTERNAL", "UNSORTED"]),
     keyword(
@@ -122,6 +124,17 @@ const KEYWORDS: &[Keyword] = &[
             ["nodes", "`nodes`", ""],
         ],
     ),
+    keyword(
+        "ELGEN",
+        &["ELSET"],
+        generate::elements,
+        &[[
+            "an element; of a row, of rows and of layers: how many, increments of nodes and elements",
+            "`elements`",
+            "",
+        ]],
+    )
+    .without_effect(&["ALLNODES"]),
     keyword(
         "ELSET",
         &["ELSET", "GENERATE", "INSTANCE"],

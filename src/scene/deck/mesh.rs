@@ -45,18 +45,21 @@ pub(super) fn node(reading: &mut Reading, block: &Block) {
         if let Some(motion) = &reading.motion {
             at = motion.of_point(at);
         }
-        let node = Node { at, place: first.place };
-        let known = reading.model.nodes.insert((reading.scope, number), node);
-        if known.is_some_and(|known| known.at != at) {
-            let shown = reading.model.shown((reading.scope, number));
-            reading.fault(first.place, format!("node {shown} for the second time, elsewhere"), "each node once");
-        }
+        add_node(reading, number, Node { at, place: first.place });
         if set.is_some() {
             members.push(Item { scope: reading.scope, of: Members::One(number), place: first.place });
         }
     }
     if let Some(set) = set {
         reading.model.node_sets.entry(set).or_default().append(&mut members);
+    }
+}
+
+pub(super) fn add_node(reading: &mut Reading, number: u32, node: Node) {
+    let known = reading.model.nodes.insert((reading.scope, number), node);
+    if known.is_some_and(|known| known.at != node.at) {
+        let shown = reading.model.shown((reading.scope, number));
+        reading.fault(node.place, format!("node {shown} for the second time, elsewhere"), "each node once");
     }
 }
 
@@ -100,14 +103,19 @@ pub(super) fn element(reading: &mut Reading, block: &Block) {
         let ends: Option<ArrayVec<_, 3>> = fields[1..].iter().map(&mut end).collect();
         let Some(nodes) = ends else { continue };
         let place = fields[0].place;
-        if reading.model.elements.insert((reading.scope, number), Element { of, nodes, place }).is_some() {
-            let shown = reading.model.shown((reading.scope, number));
-            reading.fault(place, format!("element {shown} for the second time"), "each element once");
-        }
+        add_element(reading, number, Element { of, nodes, place });
         members.push(Item { scope: reading.scope, of: Members::One(number), place });
     }
     if let Some(set) = set {
         reading.model.element_sets.entry(set).or_default().append(&mut members);
+    }
+}
+
+pub(super) fn add_element(reading: &mut Reading, number: u32, element: Element) {
+    let place = element.place;
+    if reading.model.elements.insert((reading.scope, number), element).is_some() {
+        let shown = reading.model.shown((reading.scope, number));
+        reading.fault(place, format!("element {shown} for the second time"), "each element once");
     }
 }
 

@@ -8,6 +8,7 @@ mod connector;
 mod contact;
 mod ends;
 mod field;
+mod generate;
 mod keywords;
 mod log;
 mod mesh;

@@ -9,7 +9,7 @@ use std::collections::HashMap;
 use std::ops::Range;
 
 /// Keywords that make nodes and elements that a connector may have.
-const MAKERS: [&str; 7] = ["NGEN", "NFILL", "NCOPY", "NMAP", "ELGEN", "ELCOPY", "IMPORT"];
+const MAKERS: [&str; 5] = ["NFILL", "NCOPY", "NMAP", "ELCOPY", "IMPORT"];
 
 /// A part: its blocks, and whether there is an instance of it.
 struct Part {
