@@ -280,3 +280,69 @@ impl<'a> Pairs<'a> {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::export::recorded::{Recorded, Subject, element_of};
+    use jointproof::toolkit::graph::{Instead, Unary};
+
+    fn repeated(one: &Recorded, graph: &Graph) -> Option<Repeated> {
+        let Subject::Element(element, _) = one.subject else { panic!("it is an element") };
+        Repeated::of(graph, &element.layout(), one.inputs())
+    }
+
+    /// The operations on the way to what is found that each slave node has for its own.
+    fn inside(graph: &Graph, Repeated { given, found, .. }: &Repeated) -> Vec<Node> {
+        let (mut inside, mut open) = (BTreeSet::new(), found.clone());
+        while let Some(node) = open.pop() {
+            if !graph.is_atom(node) && !given.contains(&node) && inside.insert(node) {
+                open.extend(graph.op(node).operands());
+            }
+        }
+        inside.into_iter().collect()
+    }
+
+    #[test]
+    fn each_slave_node_has_the_same_operations_and_most_of_them_are_repeated() {
+        for (id, slaves) in [("isl21a_linear", 2), ("isl21a_exponential", 2), ("isl22a_linear", 3)] {
+            for one in element_of(id) {
+                let graph = &one.graph;
+                let repeated = one.repeated.as_ref().unwrap_or_else(|| panic!("{}: nothing is repeated", one.subject));
+                assert_eq!(repeated.at.len(), slaves);
+                let inside = inside(graph, repeated);
+                let all = graph.needed(&graph.value).iter().filter(|node| !graph.is_atom(**node)).count();
+                assert!(slaves * inside.len() > all / 2, "{}: {} of {all}", one.subject, inside.len());
+                let mut lacking = BTreeSet::new();
+                for (node, at) in inside.iter().flat_map(|node| repeated.at.iter().map(move |at| (node, at))) {
+                    // A term that is left out where it is 0 has no node, and the sum is the rest of it.
+                    let there: Option<Vec<_>> =
+                        graph.op(*node).operands().iter().map(|node| at.nodes.get(node).copied()).collect();
+                    let same = there.map(|there| graph.op(*node).on(&there));
+                    if same.as_ref() != at.nodes.get(node).map(|there| graph.op(*there)) {
+                        lacking.insert(*node);
+                    }
+                }
+                let is_known = |node: &Node| matches!(graph.op(*node), Op::Binary(Binary::Add | Binary::Multiply, ..));
+                assert!(lacking.iter().all(is_known), "{}: {lacking:?}", one.subject);
+                assert!(20 * lacking.len() < inside.len(), "{}: {lacking:?}", one.subject);
+            }
+        }
+    }
+
+    #[test]
+    fn what_one_slave_node_does_in_another_way_is_not_repeated() {
+        let one = &element_of("isl21a_linear")[0];
+        let known = one.repeated.as_ref().unwrap();
+        let before = inside(&one.graph, known).len();
+        for first in &known.found {
+            let there = known.at[1].nodes[first];
+            let operand = one.graph.op(there).operands()[0];
+            let other = one.graph.altered(there, &Instead::Op(Op::Unary(Unary::Sine, operand)));
+            let after = repeated(one, &other).map_or(0, |repeated| inside(&other, &repeated).len());
+            assert!(after < before, "{first:?}: {after} of {before}");
+        }
+        // A connector has no slave nodes.
+        assert!(element_of("hinge").iter().all(|one| one.repeated.is_none()));
+    }
+}
