@@ -100,7 +100,9 @@ impl<'a> Outline<'a> {
     /// Counts the uses of every result.
     fn count(&mut self, steps: &[Step], results: &[Node]) {
         let mut uses = std::mem::take(&mut self.uses);
-        results.iter().for_each(|&node| *uses.entry(node).or_default() += 1);
+        for &node in results {
+            *uses.entry(node).or_default() += 1;
+        }
         self.walk(steps, &mut |used| *uses.entry(used).or_default() += 1, &mut |_| ());
         self.uses = uses;
     }
@@ -199,18 +201,18 @@ impl<'a> Outline<'a> {
                 Step::Repeat { part, slave } => {
                     let Some(at) = self.repeated.and_then(|repeated| repeated.at.get(*slave)) else { continue };
                     let Part { steps, given, found } = &self.parts[*part];
-                    given.iter().for_each(|node| used(at.nodes[node]));
-                    let is_input = |node: Node| self.graph.is_atom(node) && !self.is_given(node);
-                    self.walk_boxed(
-                        steps,
-                        &mut |node| {
-                            if is_input(node) {
-                                used(at.nodes[&node])
-                            }
-                        },
-                        &mut |_| (),
-                    );
-                    found.iter().for_each(|node| defined(at.nodes[node]));
+                    for node in given {
+                        used(at.nodes[node]);
+                    }
+                    let mut input = |node: Node| {
+                        if self.graph.is_atom(node) && !self.is_given(node) {
+                            used(at.nodes[&node]);
+                        }
+                    };
+                    self.walk_boxed(steps, &mut input, &mut |_| ());
+                    for node in found {
+                        defined(at.nodes[node]);
+                    }
                 }
             }
         }
