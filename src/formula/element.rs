@@ -51,6 +51,11 @@ pub trait Element<const M: usize, const DOFS: usize = 12>:
     /// Without them, multipliers are 0 wherever they appear, they are no inputs, and the derivative with respect to
     /// them is no result.
     const MULTIPLIERS: &'static [Field];
+    /// The number of slave nodes, if it does the same at each of them, with a segment of its own; else 1.
+    ///
+    /// Then its nodes are the slave nodes, followed by those of their segments, the degrees of freedom are translations of
+    /// these, and every field of the state has a component for each slave node.
+    const SLAVES: usize = 1;
     /// Positions and orientations of its nodes.
     type Nodes<T: Component>: Fields<T>;
     /// What it needs with and without friction: measurements in the initial configuration, or the parameters of a

@@ -27,7 +27,12 @@ const CHEAP: usize = 4;
 impl Graph {
     /// The statements that compute these results, in order.
     pub fn statements(&self, results: &[Node]) -> Vec<Statement> {
-        let mut layout = Layout::placed(self, results);
+        self.statements_after(HashSet::new(), results)
+    }
+
+    /// The same where some results are known already.
+    pub fn statements_after(&self, known: HashSet<Node>, results: &[Node]) -> Vec<Statement> {
+        let mut layout = Layout::placed_after(self, known, results);
         layout.dissolve_cheap();
         layout.statements(0)
     }
@@ -67,6 +72,8 @@ pub(super) struct Choice {
 
 pub(super) struct Layout<'a> {
     pub(super) graph: &'a Graph,
+    /// Results that are not computed here.
+    known: HashSet<Node>,
     blocks: Vec<Block>,
     pub(super) choices: Vec<Choice>,
     /// The block of every operation that is needed; the first block contains all others.
@@ -78,8 +85,12 @@ pub(super) struct Layout<'a> {
 impl<'a> Layout<'a> {
     /// Places every operation that these results need.
     pub(super) fn placed(graph: &'a Graph, results: &[Node]) -> Self {
+        Self::placed_after(graph, HashSet::new(), results)
+    }
+
+    fn placed_after(graph: &'a Graph, known: HashSet<Node>, results: &[Node]) -> Self {
         let (blocks, place) = (vec![Block { parent: 0, depth: 0 }], vec![None; graph.ops().len()]);
-        let mut layout = Self { graph, blocks, choices: Vec::new(), place, choice_of: HashMap::new() };
+        let mut layout = Self { graph, known, blocks, choices: Vec::new(), place, choice_of: HashMap::new() };
         layout.place(results);
         layout
     }
@@ -121,6 +132,9 @@ impl<'a> Layout<'a> {
     }
 
     fn used_in(&mut self, node: Node, block: usize) {
+        if self.known.contains(&node) {
+            return;
+        }
         let place = &mut self.place[node.index()];
         *place = Some(place.map_or(block, |known| common(&self.blocks, known, block)));
     }

@@ -86,6 +86,7 @@ where
     const FORCES: &'static [Field] = S::FORCES;
     const RESIDUALS: &'static [Field] = &[Field::new("torque", &TORQUE)];
     const MULTIPLIERS: &'static [Field] = &[];
+    const SLAVES: usize = N;
     type Nodes<T: Component> = S::Nodes<T>;
     type Start<T: Component> = P::Parameters<T>;
     type Contact<T: Component> = IslContact<T>;
@@ -125,18 +126,27 @@ where
             let (xs, segment) = (slaves[slave], &segments[slave]);
             let Touched { g, separation } = S::touched(xs, segment);
             let slip = S::path_length(xs, segment, g_before, g);
+            // A choice for each, so that each is recorded alike for every slave node.
+            let [is_inside] = choice(|| {
+                let is_inside = S::is_inside(places[slave], segment.map(|x| x.map(|x| x.value)), g.value);
+                [if is_inside { D::one() } else { D::zero() }]
+            });
             // The stresses, and the derivatives of S11 with respect to E11, and of S12 with respect to E11 and to the slip.
-            let [s11, s11_by_e11, s12, s12_by_e11, s12_by_slip] = choice(|| {
-                if !S::is_inside(places[slave], segment.map(|x| x.map(|x| x.value)), g.value) {
-                    return [D::zero(); 5];
+            let [s11, s11_by_e11] = choice(|| {
+                if is_inside > 0.0 {
+                    let [s11, by_h] = P::pressure(-separation.value, &parameters.start);
+                    [s11, -by_h]
+                } else {
+                    [D::zero(); 2]
                 }
-                let [s11, by_h] = P::pressure(-separation.value, &parameters.start);
-                let Some(IslContact { k_stick, mu }) = parameters.contact.filter(|_| s11 > 0.0) else {
-                    return [s11, -by_h, D::zero(), D::zero(), D::zero()];
-                };
-                let motion = Sliding { du: slip.value, f_before: s12_before, k_stick, mu, r#fn: s11 };
-                let (s12, by_slip, [by_e11]) = motion.under([-by_h]);
-                [s11, -by_h, s12, by_e11, by_slip]
+            });
+            let [s12, s12_by_e11, s12_by_slip] = choice(|| match parameters.contact {
+                Some(IslContact { k_stick, mu }) if s11 > 0.0 => {
+                    let motion = Sliding { du: slip.value, f_before: s12_before, k_stick, mu, r#fn: s11 };
+                    let (s12, by_slip, [by_e11]) = motion.under([s11_by_e11]);
+                    [s12, by_e11, by_slip]
+                }
+                _ => [D::zero(); 3],
             });
             (after.as_mut()[slave], after.as_mut()[N + slave]) = (g.value, s12);
             let s11 = Term::new(s11, separation.slope * s11_by_e11);

@@ -34,6 +34,8 @@ pub struct Layout {
     pub contact: &'static [Field],
     /// The state of friction.
     pub state: &'static [Field],
+    /// The number of slave nodes at each of which the same is done, or 1.
+    pub slaves: usize,
 }
 
 /// Residuals, rows, forces, stiffness, derivative with respect to the multipliers; the state follows.
@@ -55,6 +57,7 @@ impl Layout {
             start: <E::Start<f64> as Fields<f64>>::FIELDS,
             contact: <E::Contact<f64> as Fields<f64>>::FIELDS,
             state: <E::State<f64> as Fields<f64>>::FIELDS,
+            slaves: E::SLAVES,
         };
         let counts = [layout.unknowns, layout.forces, layout.residuals].map(count);
         let (id, held) = (E::SPEC.id, layout.held());

@@ -23,10 +23,7 @@ pub(crate) struct Download {
     pub(crate) text: String,
 }
 
-/// The largest file to download, in bytes; what is larger is written by the command alone.
-const LARGEST: usize = 400_000;
-
-/// The files of all formulas and elements of a project that can be exported, and are not too large.
+/// The files of all formulas and elements of a project that can be exported.
 pub(crate) fn downloads(project: &Project) -> Vec<Download> {
     let formulas = project.catalog().iter().map(|&formula| Subject::Formula(formula));
     let elements = project.elements().iter().flat_map(|&element| Subject::forms(element));
@@ -36,8 +33,7 @@ pub(crate) fn downloads(project: &Project) -> Vec<Download> {
     let shells: Vec<_> =
         elements.chain([Shell::Fric, Shell::Mpc, Shell::UmpcUser].map(|shell| (shell, None))).collect();
     let routines = shells.par_iter().flat_map_iter(|&(shell, element)| routine(project, shell, element));
-    let all = routines.chain(recorded.par_iter().flat_map_iter(of));
-    all.filter(|download| download.text.len() <= LARGEST).collect()
+    routines.chain(recorded.par_iter().flat_map_iter(of)).collect()
 }
 
 /// A user routine in both forms of Fortran; none if it cannot be exported.
@@ -131,6 +127,7 @@ mod tests {
     use crate::export::language::Language;
     use crate::export::recorded::{element_of, formulas};
     use crate::files;
+    use jointproof::catalog::{CATALOG, ELEMENTS};
     use std::process::Command;
 
     /// A formula in parts, one with conditions on several inputs, one with an exact sum, and an element.
@@ -162,6 +159,19 @@ mod tests {
         let names: Vec<_> =
             all.iter().flat_map(of).map(|download| format!("{} {}", download.label, download.name)).collect();
         assert!(names.contains(&"NumPy with friction jp_element_slot_2d_rubbing.py".to_owned()), "{names:?}");
+    }
+
+    /// The element with the most operations in every language, and its user routine in both forms.
+    #[test]
+    fn no_file_is_larger_than_a_page_would_link() {
+        let project = &Project::new("downloads", env!("CARGO_MANIFEST_DIR"), CATALOG).in_folder("../..");
+        let element = ELEMENTS.iter().find(|element| element.spec().id == "isl22a_exponential").unwrap();
+        let files = element_of("isl22a_exponential").iter().flat_map(of).collect::<Vec<_>>();
+        let all: Vec<_> = files.into_iter().chain(routine(project, Shell::Uel, Some(element))).collect();
+        assert_eq!(all.len(), 10);
+        for download in all {
+            assert!((50_000..=400_000).contains(&download.text.len()), "{}: {}", download.name, download.text.len());
+        }
     }
 
     /// Arithmetic that is not kept is told: by the compiler that says so, and by the test of the library.

@@ -148,14 +148,15 @@ impl Syntax for C {
         if is_answer { format!("(double){text}") } else { text.to_owned() }
     }
 
-    fn call(&self, stem: &str, part: usize, inputs: &[&Field], given: &[String], found: (&str, usize)) -> String {
-        let mut arguments: Vec<_> = inputs.iter().map(|field| name_of(field)).collect();
+    fn call(&self, stem: &str, part: usize, inputs: &[[&Field; 2]], given: &[String], found: (&str, usize)) -> String {
+        let mut arguments: Vec<_> = inputs.iter().map(|[_, passed]| name_of(passed)).collect();
         let mut text = String::new();
-        if !given.is_empty() {
-            text = format!("const double given_{part}[{}] = {{{}}};\n", given.len(), given.join(", "));
-            arguments.push(format!("given_{part}"));
-        }
         let (array, len) = found;
+        if !given.is_empty() {
+            let name = array.replace("part", "given");
+            text = format!("const double {name}[{}] = {{{}}};\n", given.len(), given.join(", "));
+            arguments.push(name);
+        }
         arguments.push(array.to_owned());
         format!("{text}double {array}[{len}];\njp_{stem}_part{part}({});", arguments.join(", "))
     }
@@ -256,7 +257,7 @@ fn name_of(field: &Field) -> String {
 /// The text of its functions, and the parts that they call.
 fn source(one: &Recorded, limit: usize) -> (String, Vec<PartLines>) {
     let stem = stem(one);
-    let body = Body { language: &C, graph: &one.graph, inputs: one.inputs(), names: &one.names, stem: &stem };
+    let body = Body::of(&C, one, &stem);
     let mut parts = Vec::new();
     let mut functions = Vec::new();
     for printed in one.functions() {

@@ -20,6 +20,9 @@ const RESERVED: [&str; 16] = [
     "sin", "sqrt",
 ];
 
+/// The end of a Boolean that is stored as a number.
+const IS_TRUE: &str = " > 0.5_dp)";
+
 const NAMES: Names = Names {
     unary: |function| match function {
         Unary::Negative => "-",
@@ -68,6 +71,11 @@ impl Syntax for Fortran {
         files_with_parts(&stem, source, &parts)
     }
 
+    /// Results are assigned where they are computed.
+    fn part(&self) -> usize {
+        280
+    }
+
     fn number(&self, x: f64) -> String {
         if x.is_infinite() {
             return if x > 0.0 { "jp_infinity()".into() } else { "(-jp_infinity())".into() };
@@ -110,20 +118,20 @@ impl Syntax for Fortran {
         format!("{name} = {value}")
     }
 
-    fn indent(&self) -> usize {
-        2
-    }
-
     fn element(&self, array: &str, k: usize, is_answer: bool) -> String {
-        if is_answer { format!("({array}({}) > 0.5_dp)", k + 1) } else { format!("{array}({})", k + 1) }
+        if is_answer { format!("({array}({}){IS_TRUE}", k + 1) } else { format!("{array}({})", k + 1) }
     }
 
     fn as_number(&self, text: &str, is_answer: bool) -> String {
-        if is_answer { format!("merge(1.0_dp, 0.0_dp, {text})") } else { text.to_owned() }
+        match text.strip_prefix('(').and_then(|text| text.strip_suffix(IS_TRUE)) {
+            Some(number) => number.to_owned(),
+            None if is_answer => format!("merge(1.0_dp, 0.0_dp, {text})"),
+            None => text.to_owned(),
+        }
     }
 
-    fn call(&self, stem: &str, part: usize, inputs: &[&Field], given: &[String], found: (&str, usize)) -> String {
-        let mut arguments: Vec<_> = inputs.iter().map(|field| name_of(field)).collect();
+    fn call(&self, stem: &str, part: usize, inputs: &[[&Field; 2]], given: &[String], found: (&str, usize)) -> String {
+        let mut arguments: Vec<_> = inputs.iter().map(|[_, passed]| name_of(passed)).collect();
         if !given.is_empty() {
             arguments.push(format!("[{}]", given.join(", ")));
         }
@@ -158,7 +166,7 @@ fn name_of(field: &Field) -> String {
 /// The text of its module, and the parts that its functions call.
 fn source(one: &Recorded, limit: usize) -> (String, Vec<PartLines>) {
     let name = stem(one);
-    let body = Body { language: &Fortran, graph: &one.graph, inputs: one.inputs(), names: &one.names, stem: &name };
+    let body = Body::of(&Fortran, one, &name);
     let mut parts = Vec::new();
     let mut functions = Vec::new();
     for printed in one.functions() {
@@ -189,9 +197,13 @@ fn uses<'a>(stem: &str, parts: impl Iterator<Item = &'a usize>) -> String {
     parts.map(|part| format!("    use jp_{stem}_{part}\n")).collect::<Vec<_>>().concat()
 }
 
-fn declared(field: &Field) -> String {
-    let shape = if field.len() == 1 { String::new() } else { format!("({})", field.len()) };
-    format!("        real(dp), intent(in) :: {}{shape}\n", name_of(field))
+/// The arguments of a part or a function that it takes.
+fn declared<'a>(fields: impl IntoIterator<Item = &'a Field>, given: usize) -> String {
+    let shaped = |name: &str, len: usize| if len == 1 { name.to_owned() } else { format!("{name}({len})") };
+    let fields = fields.into_iter().map(|field| shaped(&name_of(field), field.len()));
+    let all: Vec<_> = fields.chain((given > 0).then(|| format!("given({given})"))).collect();
+    let line = format!("    real(dp), intent(in) :: {}", all.join(", "));
+    if all.is_empty() { String::new() } else { folded(&line, " &").join("\n") + "\n" }
 }
 
 /// The temporaries of a function.
@@ -200,7 +212,7 @@ fn temporaries(lines: &Lines) -> String {
     let mut text = String::new();
     for (kind, names) in [("real(dp)", &lines.numbers), ("real(dp)", &arrays), ("logical", &lines.answers)] {
         for names in names.chunks(8) {
-            text += &(folded(&format!("        {kind} :: {}", names.join(", ")), " &").join("\n") + "\n");
+            text += &(folded(&format!("    {kind} :: {}", names.join(", ")), " &").join("\n") + "\n");
         }
     }
     text + "\n"
@@ -216,39 +228,38 @@ fn output_name(output: &Output) -> String {
 fn function(one: &Recorded, body: &Body, lines: &Lines, Function { name, outputs }: &Function) -> String {
     let (name, inputs) = (format!("jp_{}_{name}", stem(one)), one.inputs());
     let names: Vec<_> = inputs.iter().map(name_of).chain(outputs.iter().map(output_name)).collect();
-    let mut text =
-        Text::from(format!("    function {name}( &\n            {}) result(code)\n", names.join(", &\n            ")));
-    text.push_all(inputs.iter().map(declared));
+    let mut text = Text::from(format!("function {name}( &\n        {}) result(code)\n", names.join(", &\n        ")));
+    text.push(declared(inputs, 0));
     for output in outputs {
         let shape = match output.shape {
             Shape::Number => String::new(),
             Shape::Vector(len) => format!("({len})"),
             Shape::Matrix(rows, columns) => format!("({rows}, {columns})"),
         };
-        text.push(format!("        real(dp), intent(out) :: {}{shape}\n", output_name(output)));
+        text.push(format!("    real(dp), intent(out) :: {}{shape}\n", output_name(output)));
     }
-    text.push("        integer :: code\n");
+    text.push("    integer :: code\n");
     text.push(temporaries(lines));
-    text.push_all(outputs.iter().map(|output| format!("        {} = 0.0_dp\n", output_name(output))));
+    text.push_all(outputs.iter().map(|output| format!("    {} = 0.0_dp\n", output_name(output))));
     text.push_all(inputs.iter().enumerate().map(|(position, field)| refusal(field, position + 1)));
     text.push_all(lines.text.iter().map(|line| format!("{line}\n")));
     if let Some(refusal) = one.graph.refusal {
         let found = body.text(lines, refusal);
-        text.push(format!("        code = {} + nint({found})\n        if ({found} > 0.0_dp) return\n", inputs.len()));
+        text.push(format!("    code = {} + nint({found})\n    if ({found} > 0.0_dp) return\n", inputs.len()));
     }
     for output in outputs {
         let name = output_name(output);
         for (row, nodes) in one.rows(output) {
             let entries: Vec<_> = nodes.iter().map(|&node| body.text(lines, node)).collect();
             let line = match output.shape {
-                Shape::Number => format!("        {name} = {}", entries[0]),
-                Shape::Vector(_) => format!("        {name} = [{}]", entries.join(", ")),
-                Shape::Matrix(..) => format!("        {name}({}, :) = [{}]", row + 1, entries.join(", ")),
+                Shape::Number => format!("    {name} = {}", entries[0]),
+                Shape::Vector(_) => format!("    {name} = [{}]", entries.join(", ")),
+                Shape::Matrix(..) => format!("    {name}({}, :) = [{}]", row + 1, entries.join(", ")),
             };
             text.push(folded(&line, " &").join("\n") + "\n");
         }
     }
-    text.push(format!("        code = 0\n    end function {name}\n"));
+    text.push(format!("    code = 0\nend function {name}\n"));
     text.finished()
 }
 
@@ -259,7 +270,7 @@ fn refusal(field: &Field, code: usize) -> String {
     conditions.extend(bounds.iter().map(|(relation, bound)| format!("{name} {relation} {}", Fortran.number(*bound))));
     let condition = conditions.join(" .and. ");
     let all = if field.len() == 1 { condition } else { format!("all({condition})") };
-    format!("        code = {code}\n        if (.not. ({all})) return\n")
+    format!("    code = {code}\n    if (.not. ({all})) return\n")
 }
 
 fn part_source(stem: &str, part: &PartLines) -> String {
@@ -267,20 +278,17 @@ fn part_source(stem: &str, part: &PartLines) -> String {
     let given = (part.given > 0).then(|| "given".to_owned());
     let arguments: Vec<_> =
         part.inputs.iter().map(|field| name_of(field)).chain(given).chain(["found".into()]).collect();
-    let head = folded(&format!("    subroutine jp_{stem}_part{number}({})", arguments.join(", ")), " &").join("\n");
+    let head = folded(&format!("subroutine jp_{stem}_part{number}({})", arguments.join(", ")), " &").join("\n");
     let mut text = Text::from(format!(
         "! A part of jp_{stem}.f90.\nmodule jp_{stem}_{number}\n    use jp_runtime\n{}    implicit none\n    private\n\
          \x20   public :: jp_{stem}_part{number}\ncontains\n{head}\n",
         uses(stem, part.lines.calls.iter())
     ));
-    text.push_all(part.inputs.iter().map(|field| declared(field)));
-    if part.given > 0 {
-        text.push(format!("        real(dp), intent(in) :: given({})\n", part.given));
-    }
-    text.push(format!("        real(dp), intent(out) :: found({})\n", part.found));
+    text.push(declared(part.inputs.iter().copied(), part.given));
+    text.push(format!("    real(dp), intent(out) :: found({})\n", part.found));
     text.push(temporaries(&part.lines));
     text.push(part.lines.text.join("\n"));
-    text.push(format!("\n    end subroutine jp_{stem}_part{number}\nend module jp_{stem}_{number}\n"));
+    text.push(format!("\nend subroutine jp_{stem}_part{number}\nend module jp_{stem}_{number}\n"));
     text.finished()
 }
 

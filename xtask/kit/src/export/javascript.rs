@@ -100,8 +100,11 @@ impl Syntax for JavaScript {
         format!("{array}[{k}]")
     }
 
-    fn call(&self, _: &str, part: usize, _: &[&Field], given: &[String], found: (&str, usize)) -> String {
-        format!("const {} = part{part}(i, [{}]);", found.0, given.join(", "))
+    fn call(&self, _: &str, part: usize, inputs: &[[&Field; 2]], given: &[String], found: (&str, usize)) -> String {
+        let others: Vec<_> = inputs.iter().filter(|[name, passed]| name != passed).collect();
+        let others: Vec<_> = others.iter().map(|[name, passed]| format!("{}: i.{}", name.name, passed.name)).collect();
+        let inputs = if others.is_empty() { "i".to_owned() } else { format!("{{ ...i, {} }}", others.join(", ")) };
+        format!("const {} = part{part}({inputs}, [{}]);", found.0, given.join(", "))
     }
 
     fn choose(&self, condition: &str) -> [String; 3] {
@@ -112,7 +115,7 @@ impl Syntax for JavaScript {
 /// The text of its module, and the parts that its functions call.
 pub(super) fn source(one: &Recorded, limit: usize) -> (String, Vec<PartLines>) {
     let stem = stem(one);
-    let body = Body { language: &JavaScript, graph: &one.graph, inputs: one.inputs(), names: &one.names, stem: &stem };
+    let body = Body::of(&JavaScript, one, &stem);
     let mut parts = Vec::new();
     let mut functions = Vec::new();
     for printed in one.functions() {

@@ -56,6 +56,12 @@ pub(super) trait Syntax {
     /// The files of a formula or an element; the first one has functions of about `limit` lines at most.
     fn printed(&self, one: &Recorded, limit: usize) -> Vec<File>;
 
+    /// The approximate number of lines of the statements of a part: fewer than its file may have, by as many as declare arguments
+    /// and assign results.
+    fn part(&self) -> usize {
+        180
+    }
+
     /// A constant.
     fn number(&self, x: f64) -> String;
 
@@ -79,11 +85,6 @@ pub(super) trait Syntax {
     /// The assignment of one of them.
     fn assign(&self, name: &str, value: &str) -> String;
 
-    /// The indentation of the body of a function, in steps.
-    fn indent(&self) -> usize {
-        1
-    }
-
     /// An element of an array; converted to a Boolean if it represents one.
     fn element(&self, array: &str, k: usize, is_answer: bool) -> String;
 
@@ -92,8 +93,9 @@ pub(super) trait Syntax {
         text.to_owned()
     }
 
-    /// The call of a part of a function: it takes inputs and other results, and returns an array.
-    fn call(&self, stem: &str, part: usize, inputs: &[&Field], given: &[String], found: (&str, usize)) -> String;
+    /// The call of a part of a function: it takes inputs, each with the one that is passed for it, and other results, and
+    /// returns an array.
+    fn call(&self, stem: &str, part: usize, inputs: &[[&Field; 2]], given: &[String], found: (&str, usize)) -> String;
 
     /// The mark at the end of a line that continues on the next.
     fn goes_on(&self) -> &'static str {

@@ -14,6 +14,7 @@ mod outline;
 mod points;
 mod program;
 mod recorded;
+mod repeated;
 mod script;
 mod shell;
 mod speed;

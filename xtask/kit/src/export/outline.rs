@@ -1,10 +1,17 @@
 //! Splits a long function into parts: consecutive statements become a separate function.
 
+use super::repeated::Repeated;
 use jointproof::toolkit::graph::{Graph, Node, Op, Statement};
 use std::collections::{HashMap, HashSet};
 
-/// The approximate number of lines of a part.
-const PART: usize = 180;
+/// How long functions are, in about as many lines as their statements have.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Lengths {
+    /// Of the main function, at most, if possible.
+    pub(super) main: usize,
+    /// Of a part.
+    pub(super) part: usize,
+}
 
 /// A step of a function.
 #[derive(Clone, Debug)]
@@ -21,6 +28,8 @@ pub(super) enum Step {
     },
     /// A part is called.
     Call(usize),
+    /// The part for every slave node is called for this one.
+    Repeat { part: usize, slave: usize },
 }
 
 /// Statements that form a separate function.
@@ -37,6 +46,9 @@ pub(super) struct Part {
 #[derive(Debug)]
 pub(super) struct Outline<'a> {
     graph: &'a Graph,
+    repeated: Option<&'a Repeated>,
+    /// The approximate number of lines of a part.
+    part: usize,
     /// The total number of uses of each result.
     uses: HashMap<Node, usize>,
     pub(super) main: Vec<Step>,
@@ -44,15 +56,55 @@ pub(super) struct Outline<'a> {
 }
 
 impl<'a> Outline<'a> {
-    /// With a main function of about `limit` lines at most.
-    pub(super) fn new(graph: &'a Graph, results: &[Node], limit: usize) -> Self {
-        let main = steps(graph.statements(results));
-        let mut outline = Self { graph, uses: HashMap::new(), main: Vec::new(), parts: Vec::new() };
-        let mut uses: HashMap<_, usize> = results.iter().map(|&node| (node, 1)).collect();
-        outline.walk(&main, &mut |used| *uses.entry(used).or_default() += 1, &mut |_| ());
-        outline.uses = uses;
+    pub(super) fn new(
+        graph: &'a Graph,
+        repeated: Option<&'a Repeated>,
+        results: &[Node],
+        Lengths { main: limit, part }: Lengths,
+    ) -> Self {
+        let (main, parts) = (Vec::new(), Vec::new());
+        let mut outline = Self { graph, repeated, part, uses: HashMap::new(), main, parts };
+        let main = match repeated {
+            None => steps(graph.statements(results)),
+            Some(repeated) => outline.with_repeated(repeated, results),
+        };
+        outline.count(&main, results);
         outline.main = outline.shortened(main, limit);
         outline
+    }
+
+    /// The steps with the part that is called for every slave node: what it takes, the calls, and what is made of their results.
+    fn with_repeated(&mut self, repeated: &Repeated, results: &[Node]) -> Vec<Step> {
+        let Repeated { given, found, at } = repeated;
+        let part = steps(self.graph.statements_after(given.iter().copied().collect(), found));
+        self.count(&part, found);
+        // Each of its results may take a line.
+        let limit = self.part.saturating_sub(found.len());
+        let part = Part { steps: self.shortened(part, limit), given: given.clone(), found: found.clone() };
+        self.parts.push(part);
+        let all = |nodes: &[Node]| at.iter().flat_map(|at| nodes.iter().map(|node| at.nodes[node])).collect::<Vec<_>>();
+        let before = steps(self.graph.statements(&all(given)));
+        let mut known: HashSet<_> = all(found).into_iter().collect();
+        for step in &before {
+            match step {
+                Step::Compute(node) => _ = known.insert(*node),
+                Step::Choose { results, .. } => known.extend(results.iter().map(|[select, ..]| *select)),
+                Step::Call(_) | Step::Repeat { .. } => {}
+            }
+        }
+        let calls = (0..at.len()).map(|slave| Step::Repeat { part: self.parts.len() - 1, slave });
+        let after = steps(self.graph.statements_after(known, results));
+        before.into_iter().chain(calls).chain(after).collect()
+    }
+
+    /// Counts the uses of every result.
+    fn count(&mut self, steps: &[Step], results: &[Node]) {
+        let mut uses = std::mem::take(&mut self.uses);
+        for &node in results {
+            *uses.entry(node).or_default() += 1;
+        }
+        self.walk(steps, &mut |used| *uses.entry(used).or_default() += 1, &mut |_| ());
+        self.uses = uses;
     }
 
     /// The steps with parts called, so that about `limit` lines are left, if possible.
@@ -77,9 +129,9 @@ impl<'a> Outline<'a> {
     fn within_a_part(&mut self, step: Step) -> Step {
         match step {
             Step::Choose { condition, results, yes, no }
-                if self.lines(&yes) + self.lines(&no) + 3 * results.len() > PART =>
+                if self.lines(&yes) + self.lines(&no) + 3 * results.len() > self.part =>
             {
-                let limit = (PART / 2).saturating_sub(2 * results.len() + 4).max(16);
+                let limit = (self.part / 2).saturating_sub(2 * results.len() + 4).max(16);
                 let [yes, no] = [yes, no].map(|side| self.shortened(side, limit));
                 Step::Choose { condition, results, yes, no }
             }
@@ -87,12 +139,17 @@ impl<'a> Outline<'a> {
         }
     }
 
-    /// Groups of consecutive steps, each as long as a part, as calls of parts.
+    /// Groups of consecutive steps, each as long as a part, as calls of parts. The calls for slave nodes remain where they are: they
+    /// have so many results.
     fn grouped(&mut self, steps: Vec<Step>) -> Vec<Step> {
         let (mut calls, mut group) = (Vec::new(), Vec::new());
         for step in steps {
+            if matches!(step, Step::Repeat { .. }) {
+                calls.extend([self.called(std::mem::take(&mut group)), vec![step]]);
+                continue;
+            }
             group.push(step);
-            if self.lines(&group) > PART {
+            if self.lines(&group) > self.part {
                 let last = group.pop().expect("it was pushed");
                 calls.push(self.called(std::mem::take(&mut group)));
                 group.push(last);
@@ -110,7 +167,8 @@ impl<'a> Outline<'a> {
             nodes.sort_unstable();
             nodes
         };
-        let given = used.keys().copied().filter(|node| !defined.contains(node) && !self.graph.is_atom(*node)).collect();
+        let is_passed = |node: &Node| !self.graph.is_atom(*node) || self.is_given(*node);
+        let given = used.keys().copied().filter(|node| !defined.contains(node) && is_passed(node)).collect();
         let is_found = |node: &Node| self.uses.get(node).copied().unwrap_or(0) > used.get(node).copied().unwrap_or(0);
         let found = defined.iter().copied().filter(is_found).collect();
         let part = Part { given: sorted(given), found: sorted(found), steps };
@@ -140,8 +198,29 @@ impl<'a> Outline<'a> {
                     self.walk_boxed(no, used, defined);
                 }
                 Step::Call(part) => self.walk_boxed(&self.parts[*part].steps, used, defined),
+                Step::Repeat { part, slave } => {
+                    let Some(at) = self.repeated.and_then(|repeated| repeated.at.get(*slave)) else { continue };
+                    let Part { steps, given, found } = &self.parts[*part];
+                    for node in given {
+                        used(at.nodes[node]);
+                    }
+                    let mut input = |node: Node| {
+                        if self.graph.is_atom(node) && !self.is_given(node) {
+                            used(at.nodes[&node]);
+                        }
+                    };
+                    self.walk_boxed(steps, &mut input, &mut |_| ());
+                    for node in found {
+                        defined(at.nodes[node]);
+                    }
+                }
             }
         }
+    }
+
+    /// Whether the part for every slave node takes it.
+    fn is_given(&self, node: Node) -> bool {
+        self.repeated.is_some_and(|repeated| repeated.given.binary_search(&node).is_ok())
     }
 
     fn walk_boxed(&self, steps: &[Step], used: &mut dyn FnMut(Node), defined: &mut dyn FnMut(Node)) {
@@ -160,7 +239,7 @@ impl<'a> Outline<'a> {
                 _ => 1,
             },
             Step::Choose { results, yes, no, .. } => 3 + 3 * results.len() + self.lines(yes) + self.lines(no),
-            Step::Call(part) => lines_of_call(&self.parts[*part]),
+            Step::Call(part) | Step::Repeat { part, .. } => lines_of_call(&self.parts[*part]),
         }
     }
 }
@@ -184,6 +263,8 @@ mod tests {
     use super::*;
     use jointproof::catalog::find;
 
+    const PART: usize = 180;
+
     /// Statements that take this many lines.
     fn lines(graph: &Graph, count: usize) -> Vec<Step> {
         let first = graph.value[0];
@@ -192,7 +273,7 @@ mod tests {
     }
 
     fn outline(graph: &Graph) -> Outline<'_> {
-        Outline { graph, uses: HashMap::new(), main: Vec::new(), parts: Vec::new() }
+        Outline { graph, repeated: None, part: PART, uses: HashMap::new(), main: Vec::new(), parts: Vec::new() }
     }
 
     fn choice(graph: &Graph, results: usize, [yes, no]: [usize; 2]) -> Step {
@@ -245,7 +326,7 @@ mod tests {
         let formula = find("slot.friction").unwrap();
         let graph = formula.graph().unwrap();
         let results: Vec<_> = graph.value.iter().chain(&graph.jacobian).copied().collect();
-        let outline = Outline::new(&graph, &results, 1);
+        let outline = Outline::new(&graph, None, &results, Lengths { main: 1, part: PART });
         assert!(!outline.parts.is_empty());
         for part in &outline.parts {
             let (mut used, mut defined) = (HashSet::new(), HashSet::new());

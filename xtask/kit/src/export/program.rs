@@ -1,7 +1,9 @@
 //! The body of a function: the statements of a graph, written in a language.
 
 use super::language::Syntax;
-use super::outline::{Outline, Part, Step};
+use super::outline::{Lengths, Outline, Part, Step};
+use super::recorded::Recorded;
+use super::repeated::{Place, Repeated};
 use jointproof::formula::Field;
 use jointproof::toolkit::graph::{Graph, Node, Op};
 use std::collections::{BTreeSet, HashMap};
@@ -13,6 +15,8 @@ pub(super) struct Body<'a> {
     pub(super) inputs: &'static [Field],
     /// Results with descriptive names.
     pub(super) names: &'a HashMap<Node, String>,
+    /// What is written once, and called for every slave node.
+    pub(super) repeated: Option<&'a Repeated>,
     /// The name of the formula.
     pub(super) stem: &'a str,
 }
@@ -43,14 +47,20 @@ pub(super) struct PartLines {
     pub(super) lines: Lines,
 }
 
-impl Body<'_> {
+impl<'a> Body<'a> {
+    pub(super) fn of(language: &'a dyn Syntax, one: &'a Recorded, stem: &'a str) -> Self {
+        let Recorded { graph, names, repeated, .. } = one;
+        Self { language, graph, inputs: one.inputs(), names, repeated: repeated.as_ref(), stem }
+    }
+
     /// The lines that compute these results, indented, about as many as the limit allows, and the parts, numbered from
     /// `first`.
     pub(super) fn program(&self, results: &[Node], limit: usize, first: usize) -> (Lines, Vec<PartLines>) {
-        let outline = Outline::new(self.graph, results, limit);
+        let lengths = Lengths { main: limit, part: self.language.part() };
+        let outline = Outline::new(self.graph, self.repeated, results, lengths);
         let parts = outline.parts.iter().enumerate().map(|(k, part)| self.part(&outline, first, (k, part))).collect();
         let mut main = Printed { body: self, outline: &outline, first, lines: Lines::default() };
-        main.block(&outline.main, self.language.indent());
+        main.block(&outline.main, 1);
         (main.lines, parts)
     }
 
@@ -60,11 +70,20 @@ impl Body<'_> {
             let text = self.language.element("given", k, self.graph.is_answer(node));
             printed.lines.called.insert(node, text);
         }
-        printed.block(&part.steps, self.language.indent());
+        // Where all names are declared at the head, what it gives has no other name.
+        if self.language.announce("", false).is_none() {
+            for (k, &node) in part.found.iter().enumerate().filter(|(_, node)| !self.graph.is_answer(**node)) {
+                printed.lines.called.insert(node, self.language.element("found", k, false));
+            }
+        }
+        printed.block(&part.steps, 1);
         for (k, &node) in part.found.iter().enumerate() {
+            let place = self.language.element("found", k, false);
+            if printed.lines.called.get(&node) == Some(&place) {
+                continue;
+            }
             let text = self.language.as_number(&self.text(&printed.lines, node), self.graph.is_answer(node));
-            printed
-                .line(self.language.indent(), &self.language.assign(&self.language.element("found", k, false), &text));
+            printed.line(1, &self.language.assign(&place, &text));
         }
         let inputs = self.inputs_of(outline, part);
         PartLines { number: first + k, inputs, given: part.given.len(), found: part.found.len(), lines: printed.lines }
@@ -74,7 +93,7 @@ impl Body<'_> {
     fn inputs_of(&self, outline: &Outline, part: &Part) -> Vec<&'static Field> {
         let mut used = BTreeSet::new();
         let mut note = |node: Node| {
-            if let Op::Input(k) = self.graph.op(node) {
+            if let (Op::Input(k), Err(_)) = (self.graph.op(node), part.given.binary_search(&node)) {
                 used.insert(*k);
             }
         };
@@ -87,12 +106,21 @@ impl Body<'_> {
         self.inputs.iter().filter(is_used).collect()
     }
 
+    /// The field passed for another one at a slave node.
+    fn passed(&self, field: &'static Field, at: Option<&Place>) -> &'static Field {
+        let from = |other: &Field| self.inputs.iter().take_while(|one| one.name != other.name).map(Field::len).sum();
+        let place: usize = from(field);
+        let place = at.map_or(place, |at| at.inputs[place]);
+        self.inputs.iter().find(|other| from(other) == place).unwrap_or(field)
+    }
+
     /// The text of a result where it is used.
     pub(super) fn text(&self, lines: &Lines, node: Node) -> String {
-        match self.graph.op(node) {
-            Op::Input(k) => self.input(*k),
-            Op::Number(bits) => self.language.number(f64::from_bits(*bits)),
-            _ => lines.called.get(&node).cloned().unwrap_or_else(|| self.name(node)),
+        match (lines.called.get(&node), self.graph.op(node)) {
+            (Some(called), _) => called.clone(),
+            (None, Op::Input(k)) => self.input(*k),
+            (None, Op::Number(bits)) => self.language.number(f64::from_bits(*bits)),
+            (None, _) => self.name(node),
         }
     }
 
@@ -127,7 +155,8 @@ impl Printed<'_> {
                 Step::Choose { condition, results, yes, no } => {
                     self.choose(*condition, results, [yes, no], indent);
                 }
-                Step::Call(part) => self.call(*part, indent),
+                Step::Call(part) => self.call(*part, None, indent),
+                Step::Repeat { part, slave } => self.call(*part, Some(*slave), indent),
             }
         }
     }
@@ -162,14 +191,19 @@ impl Printed<'_> {
         self.line(indent, &end);
     }
 
-    fn call(&mut self, part: usize, indent: usize) {
-        let Body { language, graph, .. } = *self.body;
-        let Part { given, found, .. } = &self.outline.parts[part];
+    /// The call of a part, for a slave node if it is the part that all of them share.
+    fn call(&mut self, part: usize, slave: Option<usize>, indent: usize) {
+        let Body { language, graph, repeated, .. } = *self.body;
+        let called = &self.outline.parts[part];
+        let at = slave.and_then(|slave| repeated?.at.get(slave));
+        let here = |nodes: &[Node]| nodes.iter().map(|node| at.map_or(*node, |at| at.nodes[node])).collect::<Vec<_>>();
+        let [given, found] = [here(&called.given), here(&called.found)];
         let number = self.first + part;
-        let array = format!("part_{number}");
+        let array = slave.map_or(format!("part_{number}"), |slave| format!("part_{number}_{}", slave + 1));
         let given: Vec<_> =
             given.iter().map(|&node| language.as_number(&self.text(node), graph.is_answer(node))).collect();
-        let inputs = self.body.inputs_of(self.outline, &self.outline.parts[part]);
+        let inputs = self.body.inputs_of(self.outline, called);
+        let inputs: Vec<_> = inputs.iter().map(|&field| [field, self.body.passed(field, at)]).collect();
         let call = language.call(self.body.stem, number, &inputs, &given, (&array, found.len()));
         self.line(indent, &call);
         for (k, &node) in found.iter().enumerate() {
@@ -180,6 +214,9 @@ impl Printed<'_> {
     }
 
     fn named(&mut self, node: Node) -> String {
+        if let Some(place) = self.lines.called.get(&node) {
+            return place.clone();
+        }
         let name = self.body.name(node);
         let names = if self.body.graph.is_answer(node) { &mut self.lines.answers } else { &mut self.lines.numbers };
         names.push(name.clone());

@@ -2,6 +2,7 @@
 
 use super::element;
 use super::names;
+use super::repeated::Repeated;
 use super::subject::placed;
 pub(super) use super::subject::{Function, Output, Shape, Subject};
 use crate::files;
@@ -19,6 +20,8 @@ pub(super) struct Recorded {
     pub(super) graph: Graph,
     /// Temporaries that are results of other formulas, by the names they have there.
     pub(super) names: HashMap<Node, String>,
+    /// What is done alike at each slave node of an element.
+    pub(super) repeated: Option<Repeated>,
     /// The SHA-256 of the golden file, where there is one.
     checksum: Option<String>,
     /// Its bounds of η in words.
@@ -35,7 +38,11 @@ pub(super) fn record(subjects: &[Subject], project: Option<&Project>) -> (Vec<Re
     let names: Vec<_> = known.iter().map(|one| names::of(one, &known)).collect();
     let recorded = known.into_iter().zip(names).map(|((subject, graph), names)| {
         let checksum = project.and_then(|project| checksum(&project.golden().join(subject.golden())));
-        Recorded { subject, graph, names, checksum, accuracy: subject.accuracy(project) }
+        let repeated = match subject {
+            Subject::Formula(_) => None,
+            Subject::Element(element, rubs) => Repeated::of(&graph, &element.layout(), element.inputs(rubs)),
+        };
+        Recorded { subject, graph, names, repeated, checksum, accuracy: subject.accuracy(project) }
     });
     (recorded.collect(), refused)
 }

@@ -2,24 +2,30 @@
 !
 ! PROPS    1       friction coefficient
 !          2       stiffness while it sticks: shear traction per slip
-! TAU      the shear tractions of the last increment, then of this one; they are the state, and nothing is in STATEV
+! TAU      the shear tractions of the last increment, then of this one; they are the state,
+!          and nothing is in STATEV
 ! DDTDDG   their derivative with respect to the slip increments
-! DDTDDP   their derivative with respect to the pressure, which makes the matrix of the whole model unsymmetric while it slips
+! DDTDDP   their derivative with respect to the pressure, which makes the matrix of the
+!          whole model unsymmetric while it slips
 ! NFDIR    one direction or two
 !
-! Put together from formulas that jointproof proves; free of conditions (CC0-1.0). Compile with -ffp-contract=off.
-subroutine fric(lm, tau, ddtddg, ddtddp, dslip, sed, sfd, ddtddt, pnewdt, statev, dgam, taulm, press, dpress, ddpddh, &
-        slip, kstep, kinc, time, dtime, noel, ciname, slname, msname, npt, node, npatch, coords, rcoord, drot, temp, &
-        predef, nfdir, mcrd, npred, nstatv, chrlngth, props, nprops)
+! Put together from formulas that jointproof proves; free of conditions (CC0-1.0). Compile
+! with -ffp-contract=off.
+subroutine fric(lm, tau, ddtddg, ddtddp, dslip, sed, sfd, ddtddt, pnewdt, statev, dgam, taulm, &
+        press, dpress, ddpddh, slip, kstep, kinc, time, dtime, noel, ciname, slname, msname, &
+        npt, node, npatch, coords, rcoord, drot, temp, predef, nfdir, mcrd, npred, nstatv, &
+        chrlngth, props, nprops)
 {uses}    use jp_runtime, only: dp
     include 'ABA_PARAM.INC'
-    integer, intent(in) :: kstep, kinc, noel, npt, node, npatch, nfdir, mcrd, npred, nstatv, nprops
+    integer, intent(in) :: kstep, kinc, noel, npt, node, npatch, nfdir, mcrd, npred, nstatv, &
+        nprops
     character(len=80), intent(in) :: ciname, slname, msname
     integer, intent(inout) :: lm
-    real(dp), intent(in) :: dslip(nfdir), dgam(nfdir), taulm(nfdir), press, dpress, ddpddh, slip(nfdir), time(2), dtime, &
-        coords(mcrd), rcoord(mcrd), drot(2, 2), temp(2), predef(2, *), chrlngth(2), props(nprops)
-    real(dp), intent(inout) :: tau(nfdir), ddtddg(nfdir, nfdir), ddtddp(nfdir), sed, sfd, ddtddt(nfdir, 2), pnewdt, &
-        statev(*)
+    real(dp), intent(in) :: dslip(nfdir), dgam(nfdir), taulm(nfdir), press, dpress, ddpddh, &
+        slip(nfdir), time(2), dtime, coords(mcrd), rcoord(mcrd), drot(2, 2), temp(2), &
+        predef(2, *), chrlngth(2), props(nprops)
+    real(dp), intent(inout) :: tau(nfdir), ddtddg(nfdir, nfdir), ddtddp(nfdir), sed, sfd, &
+        ddtddt(nfdir, 2), pnewdt, statev(*)
     real(dp) :: trial(nfdir), slope(2, 4), limit
     integer :: code
 
