@@ -24,6 +24,7 @@ ROUNDINGS = {"add": 1, "subtract": 1, "multiply": 1, "divide": 1, "root": 1, "mu
              "exponential": 2, "exponential minus one": 2, "arc sine": Fraction(13, 5), "angle": 4, "number": 1}  # fmt: skip
 FOLDED = {"add": Fraction.__add__, "subtract": Fraction.__sub__, "multiply": Fraction.__mul__, "divide": Fraction.__truediv__,
           "negative": Fraction.__neg__, "absolute": Fraction.__abs__}  # fmt: skip
+KEEPS_ZERO = ("add", "subtract", "multiply", "negative", "absolute", "maximum", "norm")
 
 
 class Refused(Exception):
@@ -131,7 +132,17 @@ class Branches:
                 others.append(y)
             elif name == "less or equal" and not answer and low == sys.float_info.min:
                 zeros |= self.vanishing(y)
-        return not any(self.same(x) in zeros for x in others)
+        known = dict.fromkeys(zeros, True)
+        return not any(self.vanishes(x, known) for x in others)
+
+    def vanishes(self, n: int, known: dict) -> bool:
+        """Whether a number is 0 since others are."""
+        name, *x = self.ops[n := self.same(n)]
+        if n not in known:
+            some = any if name == "multiply" else all
+            x = {"divide": x[:1], "select": x[1:]}.get(name, x if name in KEEPS_ZERO else [])
+            known[n] = self.literal(n) == 0 or bool(x) and some([self.vanishes(k, known) for k in x])
+        return known[n]
 
     def same(self, n: int) -> int:
         try:

@@ -111,6 +111,17 @@ class Planted(unittest.TestCase):
         for k in range(3):
             self.assertIn("not on every way", outcome(ops, *all_[:k], *all_[k + 1 :]))
 
+    def test_what_is_made_of_zeros_is_zero(self):
+        # a where |(a, b)| is normal or 4 |(a, b)| is 0, else b, which is never: the first length is 0, so the second one is.
+        ops = [real(0), real(1), number(2.0**-1022), ["norm", 0, 1], ["less or equal", 2, 3], number(4.0), ["multiply", 0, 5], ["multiply", 1, 5],
+               ["norm", 6, 7], number(0.0), ["equal", 8, 9], ["select", 10, 0, 1], ["select", 4, 0, 11]]  # fmt: skip
+        normal, zero = ({"way": way, "bound": "0", "steps": []} for way in ([[4, True]], [[4, False], [10, True]]))
+        self.assertNotIn("not on every way", outcome(ops, normal, zero))
+        for some in (normal, zero):
+            self.assertIn("not on every way", outcome(ops, some))
+        other = [*ops[:7], ["add", 1, 5], *ops[8:]]
+        self.assertIn("not on every way", outcome(other, normal, zero))
+
     def test_normwise_a_part_may_end_on_another_component(self):
         # (a + b) − b: the rounding of the first sum is at most |a| + |b|, both times the derivative with respect to a.
         ops = [real(0), real(1), ["add", 0, 1], ["subtract", 2, 1]]

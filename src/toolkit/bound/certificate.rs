@@ -16,6 +16,10 @@ const NEAR: f64 = 1e-7;
 const LARGEST: i128 = 100_000;
 /// A rule used less than this was used by a rounding error of the linear programme.
 const NOTHING: f64 = 1e-7;
+/// Where such fractions do not add up, amounts are rounded up to multiples of the reciprocal.
+const FINE: i128 = 1 << 20;
+/// A bound that is mended is rounded up to a multiple of the reciprocal.
+const COARSE: i128 = 1000;
 
 /// The proof of a bound on one way.
 #[derive(Clone, Debug, PartialEq)]
@@ -44,8 +48,8 @@ pub struct Programme {
     pub rules: Vec<Vec<(usize, f64)>>,
 }
 
-/// The certificates of a result, one for each way through its branches; `solve` solves the linear programmes. A result with others beside
-/// it, perhaps none, may have a bound that is normwise.
+/// The certificates of a result, one for each way through its branches; `solve` solves the linear programmes. A result without a bound by
+/// components may have one that is normwise, with the others beside it.
 ///
 /// # Errors
 /// Why nothing is proved.
@@ -53,7 +57,7 @@ pub fn prove(
     graph: &Graph,
     inputs: &[Field],
     result: Node,
-    beside: Option<&[Node]>,
+    beside: &[Node],
     solve: impl Fn(&Programme) -> Option<Vec<f64>>,
 ) -> Result<Vec<Certificate>, String> {
     let on_all_ways = |beside: Option<&[Node]>| {
@@ -74,7 +78,7 @@ pub fn prove(
         }
         Ok(found)
     };
-    on_all_ways(None).or_else(|why| beside.map_or(Err(why), |beside| on_all_ways(Some(beside))))
+    on_all_ways(None).or_else(|_| on_all_ways(Some(beside)))
 }
 
 fn prove_on(
@@ -89,18 +93,20 @@ fn prove_on(
         (way(graph, &answers, result, beside)?, beside.map(|_| Field::ranges(inputs).collect::<Vec<_>>()));
     let mut parts = parts(&way, inputs, fields.as_deref())?;
     let is_first_order = parts.is_first_order;
-    let mut steps = Vec::new();
+    let mut used: Vec<(Rule, f64)> = Vec::new();
     if !parts.load.is_empty() {
         let rules = parts.rules();
         if let Some(obstacle) = parts.obstacle(&rules) {
             return Err(said(graph, &obstacle));
         }
         let amounts = solve(&programme(&parts, &rules)).ok_or("the linear programme has no solution")?;
-        let used = rules.into_keys().zip(amounts).filter(|&(_, amount)| amount > NOTHING);
-        steps.extend(used.map(|(rule, amount)| (rule, fraction(amount))));
+        used.extend(rules.into_keys().zip(amounts).filter(|&(_, amount)| amount > NOTHING));
     }
-    let bound =
-        added_up(&mut parts, &steps).map_err(|error| format!("rounding the linear programme's solution: {error}"))?;
+    let steps: Vec<_> = used.iter().map(|(rule, amount)| (rule.clone(), fraction(*amount))).collect();
+    let (bound, steps) = added_up(&mut parts, &steps)
+        .map(|bound| (bound, steps))
+        .or_else(|error| mended(&mut parts, &used).ok_or(error))
+        .map_err(|error| format!("rounding the linear programme's solution: {error}"))?;
     Ok(Certificate { way: answers, beside: beside.map(<[_]>::to_vec), bound, is_first_order, steps })
 }
 
@@ -189,10 +195,38 @@ fn programme(parts: &Parts, rules: &BTreeMap<Rule, Inequality>) -> Programme {
     programme
 }
 
-/// The bound that these steps prove.
-fn added_up(parts: &mut Parts, steps: &[(Rule, Rational)]) -> Result<Rational, String> {
+/// Amounts that are rounded up, and raised where what is left has no room, with the bound that they prove.
+fn mended(parts: &mut Parts, used: &[(Rule, f64)]) -> Option<(Rational, Vec<(Rule, Rational)>)> {
+    let up = |x: Rational, parts: i128| (x * parts).ceil() / parts;
+    let rules: Vec<Inequality> = used.iter().map(|(rule, _)| parts.inequality(rule).ok()).collect::<Option<_>>()?;
+    #[expect(clippy::cast_possible_truncation, reason = "amounts are small")]
+    let whole = |amount: f64| Rational::new((amount * FINE as f64).ceil() as i128, FINE);
+    let mut steps: Vec<_> = used.iter().map(|(rule, amount)| (rule.clone(), whole(*amount))).collect();
+    // Each round moves what is left by one rule.
+    for _ in 0..=2 * used.len() {
+        let left = carried(parts, &steps).ok()?.into_iter();
+        let left: Vec<_> = left.filter(|(atom, rest)| rest.is_positive() && !parts.room.contains_key(atom)).collect();
+        if left.is_empty() {
+            break;
+        }
+        for (atom, rest) in left {
+            let moves = |rule: &Inequality| rule.left.iter().find(|term| term.1 == atom).map(|term| term.0);
+            let by = rules.iter().enumerate().filter_map(|(k, rule)| Some((steps[k].1, k, moves(rule)?)));
+            let (_, k, factor) = by.max()?;
+            steps[k].1 = up(steps[k].1 + rest / factor, FINE);
+        }
+    }
+    Some((up(added_up(parts, &steps).ok()?, COARSE), steps))
+}
+
+/// Why rationals of this size do not do.
+fn too_large() -> String {
+    "a sum of its amounts has too many digits".into()
+}
+
+/// What parts carry after these steps.
+fn carried(parts: &mut Parts, steps: &[(Rule, Rational)]) -> Result<BTreeMap<Atom, Rational>, String> {
     let mut carried: BTreeMap<Atom, Rational> = parts.load.iter().map(|(&atom, &(load, _))| (atom, load)).collect();
-    let too_large = || "a sum of its amounts has too many digits".to_owned();
     for (name, amount) in steps {
         let rule = parts.inequality(name)?;
         if amount.is_negative() {
@@ -205,8 +239,13 @@ fn added_up(parts: &mut Parts, steps: &[(Rule, Rational)]) -> Result<Rational, S
             *carried = carried.checked_add(&more).ok_or_else(too_large)?;
         }
     }
+    Ok(carried)
+}
+
+/// The bound that these steps prove.
+fn added_up(parts: &mut Parts, steps: &[(Rule, Rational)]) -> Result<Rational, String> {
     let mut bounds: BTreeMap<usize, Rational> = BTreeMap::new();
-    for (atom, carried) in carried.into_iter().filter(|(_, carried)| carried.is_positive()) {
+    for (atom, carried) in carried(parts, steps)?.into_iter().filter(|(_, carried)| carried.is_positive()) {
         let (weight, room) = parts
             .room
             .get(&atom)
@@ -306,7 +345,7 @@ mod tests {
         assert_eq!(check(&graph, &INPUTS, sum, &[], &[certificate(&[], 2, steps)]), Ok(()));
         let longer = graph.binary(Binary::Add, a, b);
         let back = graph.binary(Binary::Subtract, longer, b);
-        let why = prove(&graph, &INPUTS, back, None, |_| None).unwrap_err();
+        let why = prove(&graph, &INPUTS, back, &[], |_| None).unwrap_err();
         assert_eq!(why, format!("no rule bounds the rounding of operation {}, add", longer.index()));
     }
 
@@ -368,6 +407,35 @@ mod tests {
             let some: Vec<_> = (0..3).filter(|&other| other != k).map(|other| all[other].clone()).collect();
             assert!(!are_all(&graph, &some, &Answers::new()), "{k}");
         }
+    }
+
+    /// What is made of numbers that are 0 alone is 0: the length of a vector, and of a multiple of it.
+    #[test]
+    fn what_is_made_of_zeros_is_zero() {
+        let (mut graph, [a, b]) = graph();
+        let [zero, least, factor] = [0.0, f64::MIN_POSITIVE, 1e18].map(|x| graph.number(x));
+        let scaled = [a, b].map(|x| graph.binary(Binary::Multiply, x, factor));
+        let [length, multiple] = [[a, b], scaled].map(|parts| graph.enter(Op::Norm(parts.into())));
+        let is_normal = graph.enter(Op::Compare(Relation::LessOrEqual, least, length));
+        let is_zero = graph.enter(Op::Compare(Relation::Equal, multiple, zero));
+        let both = [true, false].map(|normal| Answers::from([(is_normal, normal), (is_zero, !normal)]));
+        let are_all = |ways: &[Answers]| are_all(&graph, ways, &Answers::new());
+        assert_eq!([are_all(&both), are_all(&both[..1]), are_all(&both[1..])], [true, false, false]);
+    }
+
+    /// A linear programme that moves too little is no proof until the rest is moved, too.
+    #[test]
+    fn amounts_that_leave_a_rest_are_mended() {
+        let (mut graph, [a, _]) = graph();
+        let tenth = graph.number(0.1);
+        let sum = graph.binary(Binary::Add, a, tenth);
+        let too_little = |programme: &Programme| {
+            let moves = |&(part, by): &(usize, f64)| by < 0.0 && programme.room[part].1 == 0.0;
+            Some(programme.rules.iter().map(|adds| if adds.iter().any(moves) { 0.99 } else { 0.0 }).collect())
+        };
+        let certificates = prove(&graph, &INPUTS, sum, &[], too_little).unwrap();
+        assert_eq!(check(&graph, &INPUTS, sum, &[], &certificates), Ok(()));
+        assert!((2.into()..Rational::new(201, 100)).contains(&certificates[0].bound), "{}", certificates[0].bound);
     }
 
     #[test]

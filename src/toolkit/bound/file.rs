@@ -66,15 +66,8 @@ pub struct Proof {
 
 impl Proof {
     /// Proves what can be of a formula with these inputs and outputs; `solve` solves the linear programmes.
-    pub fn of(
-        graph: &Graph,
-        [inputs, outputs]: [&[Field]; 2],
-        is_normwise: bool,
-        solve: impl Fn(&Programme) -> Option<Vec<f64>>,
-    ) -> Self {
-        let prove = |(node, beside): (Node, Vec<Node>)| {
-            (node, prove(graph, inputs, node, is_normwise.then_some(&beside), &solve))
-        };
+    pub fn of(graph: &Graph, [inputs, outputs]: [&[Field]; 2], solve: impl Fn(&Programme) -> Option<Vec<f64>>) -> Self {
+        let prove = |(node, beside): (Node, Vec<Node>)| (node, prove(graph, inputs, node, &beside, &solve));
         Self { results: results(graph, inputs, outputs).into_iter().map(prove).collect() }
     }
 

@@ -2,7 +2,7 @@
 
 use super::way::{Answers, Way};
 use crate::toolkit::graph::{Binary, Graph, Node, Op, Relation, Unary};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// More ways of one result than this are not examined.
 pub const MOST_WAYS: usize = 128;
@@ -42,8 +42,8 @@ pub(super) fn are_all(graph: &Graph, ways: &[Answers], given: &Answers) -> bool 
     })
 }
 
-/// Whether comparisons may come out so: no number that is said not to be 0 vanishes with one that is said to. A proof is about operations
-/// that do not leave the range of doubles, so a length or a magnitude below all normal numbers is 0, and none is infinite.
+/// Whether comparisons may come out so: no number that is said not to be 0 vanishes with those that are said to. A proof is about
+/// operations that do not leave the range of doubles, so a length or a magnitude below all normal numbers is 0, and none is infinite.
 fn is_possible(graph: &Graph, answers: &Answers) -> bool {
     let Ok(way) = Way::new(graph, answers, &[]) else { return true };
     let resolved = |node: Node| way.resolved(node).unwrap_or(node);
@@ -64,7 +64,29 @@ fn is_possible(graph: &Graph, answers: &Answers) -> bool {
             _ => {}
         }
     }
-    zeros.is_disjoint(&others)
+    let mut known = zeros.into_iter().map(|node| (node, true)).collect();
+    !others.into_iter().any(|node| vanishes(&way, node, &mut known))
+}
+
+/// Whether a number is 0 since these are; what is found is noted.
+fn vanishes(way: &Way, node: Node, known: &mut BTreeMap<Node, bool>) -> bool {
+    let node = way.resolved(node).unwrap_or(node);
+    if let Some(&known) = known.get(&node) {
+        return known;
+    }
+    let is_zero = match *way.graph.op(node) {
+        Op::Number(_) => way.graph.constant(node) == Some(0.0),
+        Op::Unary(Unary::Negative | Unary::Absolute, x) | Op::Binary(Binary::Divide, x, _) => vanishes(way, x, known),
+        Op::Binary(Binary::Multiply, x, y) => vanishes(way, x, known) || vanishes(way, y, known),
+        // Of a choice that is not known, both sides are 0.
+        Op::Binary(Binary::Add | Binary::Subtract | Binary::Maximum, x, y) | Op::Select(_, x, y) => {
+            vanishes(way, x, known) && vanishes(way, y, known)
+        }
+        Op::Norm(ref parts) => parts.iter().all(|&part| vanishes(way, part, known)),
+        _ => false,
+    };
+    known.insert(node, is_zero);
+    is_zero
 }
 
 /// The numbers that are 0 if this one is.

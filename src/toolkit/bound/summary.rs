@@ -45,6 +45,11 @@ impl Summary {
         self.proved == self.entries
     }
 
+    /// The bound where every entry is proved as its formula states it: a normwise proof says nothing of a bound by components.
+    pub fn of_all(&self, spec: &Spec) -> Option<f64> {
+        (self.is_whole() && (!self.normwise || spec.normwise.is_some())).then(|| self.bound())
+    }
+
     /// The bound of η, and how it is known; `stated` is what the audit checks, `by` says how that is meant. A proof may give less than
     /// a search shows.
     fn said(&self, stated: f64, by: &str, found: Option<f64>) -> String {
@@ -54,7 +59,8 @@ impl Summary {
         if *entries == 0 {
             return "exact".into();
         }
-        let is_best = self.is_whole() && to_f64(*bound) <= stated;
+        // A normwise proof says less than a search by components.
+        let is_best = self.is_whole() && to_f64(*bound) <= stated && (!normwise || by == NORMWISE);
         let mut details: Vec<_> = found.map(|found| format!("largest found {found:.2}")).into_iter().collect();
         match (self.is_whole(), proved) {
             (true, _) if is_best => {}
@@ -91,4 +97,24 @@ pub fn accuracy(spec: &Spec, proved: Option<&[Summary; 2]>, found: [Option<f64>;
     let [of_value, of_jacobian] = proved.unwrap_or(&nothing);
     let jacobian = jacobian.map_or("automatic".into(), |stated| of_jacobian.said(stated, by, found[1]));
     format!("value: {}; Jacobian: {jacobian}", of_value.said(value, by, found[0]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::connector::slider::rows::Rows;
+    use crate::connector::ujoint::HingeAxial;
+    use crate::formula::Formula;
+
+    /// A normwise proof is none of a bound by components, however small it is.
+    #[test]
+    fn a_normwise_proof_does_not_replace_a_bound_by_components() {
+        let by_components = Summary { entries: 1, proved: 1, bound: 1.into(), ..Summary::default() };
+        let normwise = Summary { normwise: true, ..by_components.clone() };
+        let of_all = |of: &Summary| [of.of_all(&HingeAxial::SPEC), of.of_all(&Rows::SPEC)];
+        assert_eq!([of_all(&by_components), of_all(&normwise)], [[Some(1.0); 2], [None, Some(1.0)]]);
+        let said = |of: Summary| accuracy(&HingeAxial::SPEC, Some(&[of.clone(), of]), [None; 2]);
+        assert!(said(by_components).starts_with("value: η ≤ 1, proved;"));
+        assert!(said(normwise).contains("measured (η ≤ 1, proved, normwise); Jacobian"));
+    }
 }

@@ -20,7 +20,7 @@ pub(crate) fn run(project: &Project, formulas: &Formulas, effort: Effort, seed: 
     for (formula, attack) in formulas.iter().zip(attacks) {
         let attack = attack.map_err(|why| anyhow::anyhow!("{}: {why}", formula.spec().id))?;
         let proved = prove::stated(project, *formula);
-        let proved = proved.map_or([None; 2], |both| both.map(|of| of.is_whole().then(|| of.bound())));
+        let proved = proved.map_or([None; 2], |both| both.map(|of| of.of_all(&formula.spec())));
         text += &of_one(formula.spec().id, &attack, proved)?;
         refuted += usize::from(!holds(&attack, proved));
         evaluations += attack.evaluations;

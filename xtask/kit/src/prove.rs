@@ -217,7 +217,7 @@ impl Total {
 }
 
 fn proved_of(formula: &dyn AnyFormula, graph: &Graph) -> Proof {
-    Proof::of(graph, fields(formula), formula.spec().normwise.is_some(), solve)
+    Proof::of(graph, fields(formula), solve)
 }
 
 fn fields(formula: &dyn AnyFormula) -> [&[Field]; 2] {
