@@ -40,7 +40,9 @@ fields! {
 /// The line, with the quantities that the derivatives need.
 struct View<D> {
     along: Along<D, 2>,
+    n: Vector2<D>,
     t: Vector2<D>,
+    l: D,
     /// ∂t/∂d = −n ⊗ t/l.
     turning: Matrix2<D>,
 }
@@ -49,8 +51,8 @@ impl<D: Scalar> View<D> {
     #[inline(always)]
     fn new(x1: &Vector2<D>, xn: &Vector2<D>, xm: &Vector2<D>) -> Self {
         let (l, [c, s]) = norm_and_direction((xn - x1).into());
-        let (n, t, per_length) = (Vector2::new(c, s), Vector2::new(-s, c), l.recip());
-        Self { along: Along::new(x1, xn, xm), t, turning: n * t.transpose() * -per_length }
+        let (n, t) = (Vector2::new(c, s), Vector2::new(-s, c));
+        Self { along: Along::new(x1, xn, xm), n, t, l, turning: n * t.transpose() * -l.recip() }
     }
 
     /// The k-th component of the force on m.
@@ -192,7 +194,8 @@ impl Formula for GeometricStiffness {
     #[inline]
     fn eval<D: Scalar>(i: &SliderLoads2d<D>) -> SliderStiffness2d<D> {
         let view = i.view();
-        let p = view.turning * i.lambda;
+        // The components of n are small in products with large multipliers: in this order nothing underflows before the result.
+        let p = view.n * -(i.lambda / view.l) * view.t.transpose();
         let (q, both) = (p.transpose(), p + p.transpose());
         let [rest, share] = [view.along.rest(1.0), view.along.share(1.0)].map(|weight| weight.value);
         SliderStiffness2d { k_u1_u1: both * rest, k_u1_un: q * share - p * rest, k_un_un: both * -share, k_um_un: p }
