@@ -7,9 +7,16 @@ use jointproof::toolkit::graph::{Binary, Graph, Node, Number, Op, Unary};
 /// Library functions are within two units in the last place of the result, and mostly within half of one.
 const LIBRARY: f64 = 2.0;
 
-/// Whether a factor or divisor changes no digit.
+/// Whether a factor or divisor changes no digit, whatever the inputs are: it is ± a power of two, or 0.
 fn is_power_of_two(graph: &Graph, node: Node) -> bool {
-    graph.constant(node).is_some_and(|x| x.to_bits().trailing_zeros() >= 52)
+    match *graph.op(node) {
+        Op::Unary(Unary::PowerOfTwo, _) => true,
+        Op::Unary(Unary::Negative | Unary::Absolute, x) => is_power_of_two(graph, x),
+        Op::Binary(Binary::Multiply | Binary::Divide, x, y) | Op::Select(_, x, y) => {
+            is_power_of_two(graph, x) && is_power_of_two(graph, y)
+        }
+        _ => graph.constant(node).is_some_and(|x| x.to_bits().trailing_zeros() >= 52),
+    }
 }
 
 /// The largest rounding of an operation, relative to u times its result.

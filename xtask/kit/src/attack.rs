@@ -41,11 +41,11 @@ fn holds(attack: &Attack, proved: [Option<f64>; 2]) -> bool {
 }
 
 /// Whether a proof is wrong: more is found than it allows, or possible to first order, which is computed in `f64`. What is found is not
-/// judged normwise where it need not be.
+/// judged normwise where it need not be. A result that underflows, of which proofs do not speak, has an η of up to 1.
 fn is_contradicted(claim: &Claim, most: f64, proved: Option<f64>) -> bool {
     const ROUNDING: f64 = 1e-3;
     let found = claim.worst.as_ref().filter(|_| !claim.is_normwise()).map_or(0.0, |worst| worst.size);
-    proved.is_some_and(|proved| found.max(most) > proved * (1.0 + ROUNDING))
+    proved.is_some_and(|proved| most.max(if found > 1.0 { found } else { 0.0 }) > proved * (1.0 + ROUNDING))
 }
 
 /// A line per claim, and the worst points in full.
