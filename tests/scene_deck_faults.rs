@@ -64,11 +64,6 @@ fn a_mistake_is_named_by_its_keyword_line_and_column() {
             "*ELEMENT (line 5, column 1): node \"1\" for the second time; allowed is different nodes",
         ),
         ("\n1, 1, 2", "\n1", "*ELEMENT (line 5, column 1): 0 nodes; allowed is 2 nodes, or 1 and ground, for CONN3D2"),
-        (
-            "\n1, 1, 2",
-            "\n1, 1, 2, 2",
-            "*ELEMENT (line 5, column 1): 3 nodes; allowed is 2 nodes, or 1 and ground, for CONN3D2",
-        ),
         ("TYPE=CONN3D2", "ELSET=F", "*ELEMENT (line 4, column 1): no TYPE; allowed is TYPE=, followed by a name"),
         ("NAME=O", "NAME=P", "*CONNECTOR SECTION (line 10, column 1): no orientation \"O\"; allowed is one of \"P\""),
         (

@@ -121,7 +121,7 @@ fn tables_and_arrays_move_nodes_with_others_too() {
     assert_eq!(fault.to_string(), said);
     scene["frames"] = json!({ "time": "time", "nodes": { "2 (A)": { "u": "u2" } } });
     let faults = parse(folder.path(), &scene, &file(&arrays)).unwrap_err();
-    assert!(faults.to_string().contains("node \"2 (A)\", which moves with \"2\""), "{faults}");
+    assert!(faults.contains("node \"2 (A)\", which moves with \"2\""), "{faults}");
 }
 
 #[test]
@@ -178,6 +178,8 @@ fn a_connector_to_ground_has_one_node_in_any_spelling() {
     assert!(no_node.contains("*ELEMENT (line 14, column 5): a blank field"), "{no_node}");
     let unknown = faults(SHAFT.replace("30, , 2", "30, , 9"));
     assert!(unknown.contains("no node 9") && !unknown.contains("ground"), "{unknown}");
+    let three = faults(SHAFT.replace("30, , 2", "30, 1, 2, 3"));
+    assert!(three.contains("3 nodes; allowed is 2 nodes, or 1 and ground, for CONN3D2"), "{three}");
     let sliding = faults("*NODE\n1, 1., 0.\n2, 1., 1.\n*ELEMENT, TYPE=ISL21A, ELSET=S\n1, , 2\n".into());
     assert!(sliding.contains("a blank field; allowed is the number of a node"), "{sliding}");
 }

@@ -118,7 +118,7 @@ fn owners(
     owners
 }
 
-impl<'m> Draft<'m> {
+impl Draft<'_> {
     fn use_node(&mut self, node: Numbered, place: Place, log: &mut Log) -> Option<usize> {
         let index = self.model.nodes.get_index_of(&node);
         match index {

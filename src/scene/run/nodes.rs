@@ -46,9 +46,9 @@ impl<'s, T: Number> NodeStates<'s, T> {
         for (&node, place) in fixed.iter().chain(&moving).zip(0..) {
             places[node as usize] = place;
         }
-        for node in 0..places.len() {
-            if let Some(with) = scene.nodes[node as u32].with {
-                places[node] = places[with as usize];
+        for node in 0..scene.nodes.next_number() {
+            if let Some(with) = scene.nodes[node].with {
+                places[node as usize] = places[with as usize];
             }
         }
         let displacements: Cow<'s, [_]> = Cow::Owned(vec![[0.0; 3]; moving.len()]);

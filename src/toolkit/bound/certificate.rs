@@ -17,7 +17,7 @@ const LARGEST: i128 = 100_000;
 /// A rule used less than this was used by a rounding error of the linear programme.
 const NOTHING: f64 = 1e-7;
 /// Where such fractions do not add up, amounts are rounded up to multiples of the reciprocal.
-const FINE: i128 = 1 << 20;
+const FINE: u32 = 1 << 20;
 /// A bound that is mended is rounded up to a multiple of the reciprocal.
 const COARSE: i128 = 1000;
 
@@ -200,7 +200,7 @@ fn mended(parts: &mut Parts, used: &[(Rule, f64)]) -> Option<(Rational, Vec<(Rul
     let up = |x: Rational, parts: i128| (x * parts).ceil() / parts;
     let rules: Vec<Inequality> = used.iter().map(|(rule, _)| parts.inequality(rule).ok()).collect::<Option<_>>()?;
     #[expect(clippy::cast_possible_truncation, reason = "amounts are small")]
-    let whole = |amount: f64| Rational::new((amount * FINE as f64).ceil() as i128, FINE);
+    let whole = |amount: f64| Rational::new((amount * f64::from(FINE)).ceil() as i128, FINE.into());
     let mut steps: Vec<_> = used.iter().map(|(rule, amount)| (rule.clone(), whole(*amount))).collect();
     // Each round moves what is left by one rule.
     for _ in 0..=2 * used.len() {
@@ -213,7 +213,7 @@ fn mended(parts: &mut Parts, used: &[(Rule, f64)]) -> Option<(Rational, Vec<(Rul
             let moves = |rule: &Inequality| rule.left.iter().find(|term| term.1 == atom).map(|term| term.0);
             let by = rules.iter().enumerate().filter_map(|(k, rule)| Some((steps[k].1, k, moves(rule)?)));
             let (_, k, factor) = by.max()?;
-            steps[k].1 = up(steps[k].1 + rest / factor, FINE);
+            steps[k].1 = up(steps[k].1 + rest / factor, FINE.into());
         }
     }
     Some((up(added_up(parts, &steps).ok()?, COARSE), steps))
