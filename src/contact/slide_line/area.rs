@@ -38,7 +38,7 @@ impl Formula for ContactAreaLinear {
         .equation(r"A_i = 2\pi r_i\,\tfrac{\ell}{2},\quad r_i = x_{i,1}\quad (i = 1, 2),\quad \ell = \lvert\mathbf{x}_2-\mathbf{x}_1\rvert")
         .eta(3.0, 4.5)
         // Beyond, a slope underflows whose product with a radius does not.
-        .scale(1e140)
+        .scale(1e120)
         .finite(Finite::Below)
         .not_objective();
     type Inputs<T: Component> = LinearNodes<T>;
