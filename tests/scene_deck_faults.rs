@@ -12,12 +12,12 @@ fn read(text: &str) -> Result<Deck, Faults> {
     Ok(deck)
 }
 
-fn faults(text: &str) -> Vec<String> {
+pub(crate) fn faults(text: &str) -> Vec<String> {
     let faults = read(text).err().unwrap_or_else(|| panic!("a wrong deck is read:\n{text}"));
     faults.list().iter().map(ToString::to_string).collect()
 }
 
-fn left_out(text: &str) -> Vec<String> {
+pub(crate) fn left_out(text: &str) -> Vec<String> {
     let deck = read(text).unwrap_or_else(|faults| panic!("{faults}"));
     deck.left_out().iter().map(|left_out| format!("{}{left_out}", if left_out.matters { "! " } else { "" })).collect()
 }

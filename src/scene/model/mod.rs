@@ -9,7 +9,7 @@ mod orientation;
 pub(super) use element::{Parameter, SceneElement};
 pub(super) use frame::{Changes, Frame, Quantity, Unsorted};
 pub(super) use history::{Components, History, HistoryColumn, HistoryColumns, HistoryTables, OpenColumn, Places};
-pub(super) use named::{Members, Named};
+pub(super) use named::{Members, Name, Named};
 pub(super) use orientation::{Axes, Orientation, exactly, global, turned};
 
 use super::angles::AngleUnit;
@@ -103,6 +103,11 @@ pub(super) struct SceneNode {
     pub(super) orientation: Option<u32>,
     /// The node with which it moves and rotates, if it is at another one.
     pub(super) with: Option<u32>,
+}
+
+/// What is wrong with a motion of a node that moves with another, and what is allowed.
+pub(super) fn moves_with(node: Name<'_>, with: Name<'_>) -> [String; 2] {
+    [format!("node {node:?}, which moves with {with:?}"), format!("{with:?}, with which it moves")]
 }
 
 /// A slide line, and how often its torque is output.

@@ -8,7 +8,7 @@ use super::nodes::point;
 use crate::formula::quantity::Domain;
 use crate::scene::json::{Read, Reader};
 use crate::scene::kind::{Dimension, Kind};
-use crate::scene::model::{Frame, Members, Named, SceneNode, Unsorted};
+use crate::scene::model::{Frame, Members, Named, SceneNode, Unsorted, moves_with};
 use arrayvec::ArrayVec;
 
 pub(super) fn frames_of(reader: &mut Reader, mentions: &mut Mentions) -> Read<Vec<Frame>> {
@@ -144,12 +144,8 @@ pub(super) fn check_sliding(reader: &mut Reader, place: usize, slides: &[bool], 
 /// Records a fault if this node moves with another.
 pub(super) fn check_own(reader: &mut Reader, place: usize, known: &Named<Option<SceneNode>>, nodes: Members) {
     if let Some(with) = known[nodes.number(0)].and_then(|node| node.with) {
-        let [node, with] = [nodes.number(0), with].map(|number| known.name(number));
-        reader.fault(
-            place,
-            format!("node {node:?}, which moves with {with:?}"),
-            format!("{with:?}, with which it moves"),
-        );
+        let [found, allowed] = moves_with(known.name(nodes.number(0)), known.name(with));
+        reader.fault(place, found, allowed);
     }
 }
 

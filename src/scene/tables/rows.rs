@@ -5,7 +5,7 @@ use super::header::{Header, Value};
 use super::lines::Lines;
 use crate::formula::quantity::Domain;
 use crate::scene::kind::Dimension;
-use crate::scene::model::{Frame, Members, Named, Scene, Unsorted};
+use crate::scene::model::{Frame, Members, Named, Scene, Unsorted, moves_with};
 use crate::scene::table::{Subject, Table};
 use std::collections::HashMap;
 use std::fmt;
@@ -220,9 +220,8 @@ impl<'s> Rows<'s> {
         }
         let first = members.number(0);
         if let Some(with) = (self.subject == Subject::Motions).then(|| self.scene.nodes[first].with).flatten() {
-            let [node, with] = [first, with].map(|number| self.scene.nodes.name(number));
-            let found = format!("node {node:?}, which moves with {with:?}");
-            return Err(self.fault(name, found, format!("{with:?}, with which it moves")));
+            let [found, allowed] = moves_with(self.scene.nodes.name(first), self.scene.nodes.name(with));
+            return Err(self.fault(name, found, allowed));
         }
         let dimension = self.scene.dimension();
         let (mut motion, mut turn) = ([0.0; 3], [0.0; 3]);
