@@ -218,30 +218,52 @@ class Body:
     def _guards(self):
         """Where what is infinite because an input is becomes NaN: in inputs, or in results and before it would be hidden from them."""
         at_inputs = not any(self.program.ops[place][0] in COSTLY for place in self.order)
-        wanted, unbounded, guards = set(self.places), set(), set()
-        for place in self.order:
-            name, *operands = self.program.ops[place]
-            wanted.update(operands[k] for k in HIDING.get(name, ()))
+        guards, arrives = set(), self.program.reach[1]
+        hidden = {self.program.ops[place][1:][k] for place in self.order for k in HIDING.get(self.program.ops[place][0], ())}
+        # Inputs by which a result may be infinite, and those by which it is NaN if they are infinite.
+        infinite, is_nan = {}, {}
         for place in self.order:
             name = self.program.ops[place][0]
             operands = self.program.operands(place)[name == "select" :]
-            if name == "input" and place not in self.added or name not in BOUNDED and not unbounded.isdisjoint(operands):
-                (guards if at_inputs or place in wanted else unbounded).add(place)
+            if name == "input":
+                infinite[place] = set() if place in self.added else arrives[place]
+            else:
+                infinite[place] = set().union(*(infinite[k] for k in operands)) if name not in BOUNDED else set()
+            if name == "select":
+                is_nan[place] = set.intersection(*(is_nan[k] for k in operands))
+            else:
+                is_nan[place] = set().union(*(is_nan[k] for k in operands)) if name not in COMPARED else set()
+            infinite[place] = infinite[place] - is_nan[place]
+            shown = infinite[place] - self._lost(place) if place in self.places else set()
+            if shown or infinite[place] and (at_inputs or place in hidden):
+                guards.add(place)
+                is_nan[place] = is_nan[place] | arrives[place]
+                infinite[place] = set()
         # What overflows was to be refused.
         overflows = any(self.program._is_overflow(place) for place in range(len(self.program.ops)))
         return guards | set(self.places) if overflows else guards
 
+    def _lost(self, place):
+        """The inputs of which NaN is added to this result, since it does not arrive by itself."""
+        depends, arrives = self.program.reach
+        return depends[place] - arrives[place] if place in self.program.value else set()
+
     def values(self):
         """The results, to which what is NaN is added where it would not arrive."""
-        depends, arrives = self.program.reach
         given = dict(enumerate(self.program.names)) | {self.program.ops[place][1]: text for place, text in self.added.items()}
-        texts = []
-        for place, text in zip(self.places, self.results):
-            lost = [f"0.0 * {given[k]}" for k in sorted(depends[place] - arrives[place])]
-            if self.refuses:
-                lost.append("refused")
-            texts.append(f"({text}) + ({' + '.join(lost)})" if lost else text)
-        return texts
+        added = [self._sum([given[k] for k in sorted(self._lost(place))]) for place in self.program.value]
+        for text in dict.fromkeys(added):
+            if " " in text and added.count(text) > 1:
+                name = f"t{len(self.lines) + 1}"
+                self.lines.append(f"{name} = {text}")
+                added = [name if one == text else one for one in added]
+        return [f"({text}) + {more}" if more else text for text, more in zip(self.results, added)]
+
+    def _sum(self, lost):
+        """What is NaN if one of these is, or if all inputs together are refused, and 0 otherwise."""
+        total = " + ".join(lost)
+        terms = [f"0.0 * ({total})" if lost[1:] else f"0.0 * {total}"] if lost else []
+        return " + ".join([*terms, "refused"] if self.refuses else terms)
 
     def _find_where_needed(self):
         """When each result is needed: always, or if some of the conditions around it hold."""
@@ -306,10 +328,13 @@ class Body:
         alternatives = self.alternatives.get(place)
         text = self._either(*alternatives) if alternatives else self._operation(place, name, operands)
         places = alternatives[1:] if alternatives else (place,)
+        uses = sum(self.uses[k] for k in places)
+        if name == "divide" and uses > 1:
+            text, name = f"lib.reused({bare(text)})", "reused"
         if not self.guards.isdisjoint(places):
             text, name = f"lib.finite({bare(text)})", "guard"
         # A condition also stands where what is not needed is kept safe.
-        if sum(self.uses[k] for k in places) == 1 and len(text) <= SHORT and not self.program.is_answer(place):
+        if uses == 1 and len(text) <= SHORT and not self.program.is_answer(place):
             self.texts[place] = text if name in CALLED or name in ("select", "guard") else f"({text})"
             return
         name = f"t{len(self.lines) + 1}"
@@ -523,7 +548,7 @@ def formula(name, id, program):
         entries = [(*divmod(k, n), place) for k, place in enumerate(program.jacobian) if program.number(place) != 0.0]
         both = program.body([*program.value, *(place for *_, place in entries)])
         linearized = f"_{name}_linearized"
-        results = [tuple_of(both.values()[:m]), tuple_of(both.results[m:])]
+        results = [tuple_of(both.values()), tuple_of(both.results[m:])]
         text += function(linearized, program.names, both.lines, ", ".join(results))
     text += accepted(f"_{name}_accepted", program)
     pairs = tuple_of([f"({i}, {j})" for i, j, _ in entries])

@@ -84,6 +84,15 @@ class Library:
             return stop_gradient(x)
         return x.detach() if self.is_torch else x
 
+    def reused(self, x):
+        """A result that is used more than once."""
+        if not self.is_jax:
+            return x
+        from jax.lax import reduce_precision
+
+        bits = self.xp.finfo(self.dtype)
+        return reduce_precision(x, bits.nexp, bits.nmant)
+
     def are_finite(self, *x):
         """Whether all numbers are."""
         finite = self.xp.isfinite(x[0])
