@@ -150,6 +150,7 @@ class Body:
         """What is required of all inputs together is computed with the results, if these are numbers that are returned. What is infinite
         is made NaN in inputs, or in results and wherever it would be hidden from them."""
         self.program, self.places = program, list(results)
+        self.is_value = self.places == program.value
         is_asked = self.places == [program.refusal]
         accepting = True if is_asked else program.accepting
         results = [*results, *comparisons(accepting)]
@@ -209,7 +210,7 @@ class Body:
     def _added(self):
         """Inputs of which NaN is added to all results that depend on them: these are computed from what is given. Not where derivatives are
         those of the results."""
-        if self.places != self.program.value or not self.program.jacobian:
+        if not self.is_value or not self.program.jacobian:
             return {}
         depends, arrives = self.program.reach
         inputs = {place: self.program.ops[place][1] for place in self.order if self.program.ops[place][0] == "input"}
@@ -329,7 +330,7 @@ class Body:
         text = self._either(*alternatives) if alternatives else self._operation(place, name, operands)
         places = alternatives[1:] if alternatives else (place,)
         uses = sum(self.uses[k] for k in places)
-        if name == "divide" and uses > 1:
+        if name == "divide" and uses > 1 and self.is_value:
             text, name = f"lib.reused({bare(text)})", "reused"
         if not self.guards.isdisjoint(places):
             text, name = f"lib.finite({bare(text)})", "guard"
