@@ -155,7 +155,7 @@ def in_jax(id, formula, columns, out):
 class Casadi:
     """The functions that definitions ask for."""
 
-    abs, sqrt, exp, sign = casadi.fabs, casadi.sqrt, casadi.exp, casadi.sign
+    abs, sqrt, expm1, sign = casadi.fabs, casadi.sqrt, casadi.expm1, casadi.sign
     arctan2, arcsin, where = casadi.atan2, casadi.asin, casadi.if_else
 
 

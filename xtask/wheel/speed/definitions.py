@@ -86,8 +86,9 @@ def slide_line_torque_linear(lib, r1, z1, r2, z2, p1, p2):
 
 
 def interaction_pressure_exponential(lib, h, c0, p0):
-    s = h / c0 + 1
-    return [lib.where(s > 0, p0 / (e - 1) * s * (lib.exp(s) - 1), 0.0)]
+    # Of s near 0 the difference of exp(s) and 1 keeps no digit, nor does that of h/c0 and -1.
+    s = (h + c0) / c0
+    return [lib.where(s > 0, p0 / (e - 1) * s * lib.expm1(s), 0.0)]
 
 
 def element_arm(lib, *components):
@@ -121,6 +122,39 @@ def slot_2d_points(draw, count):
     return [-np.sin(turn), np.cos(turn), *some, k_stick, fc_int, mu, *(draw.uniform(-0.5, 0.5, count) for _ in range(2))]
 
 
+def slider_2d(lib, unknowns, *components):
+    """The residual of SLIDER in the plane, over displacements of nodes 1, n and m and the force along t."""
+    x1, xn, xm = ([x + u for x, u in zip(components[k : k + 2], unknowns[k : k + 2])] for k in range(0, 6, 2))
+    force = unknowns[6]
+    d, v = minus(xn, x1), minus(xm, x1)
+    length = lib.sqrt(dot(d, d))
+    n = [x / length for x in d]
+    t = [-n[1], n[0]]
+    part = dot(v, n) / length
+    on_m = [force * x for x in t]
+    return [*((part - 1.0) * x for x in on_m), *(-part * x for x in on_m), *on_m, dot(v, t)]
+
+
+def slider_2d_points(draw, count):
+    return [draw.uniform(-2.0, 2.0, count) for _ in range(7)]
+
+
+def join(lib, unknowns, *components):
+    """The residual of JOIN, over displacements and rotations of a and b and the three forces."""
+    ua, turn, ub = unknowns[:3], unknowns[3:6], unknowns[6:9]
+    axes = [components[k : k + 3] for k in range(0, 9, 3)]
+    xa, xb = components[18:21], components[21:24]
+    axes = [[x + y for x, y in zip(axis, cross(turn, axis))] for axis in axes]
+    d = [b + v - a - u for b, v, a, u in zip(xb, ub, xa, ua)]
+    on_b = [dot(unknowns[12:15], axis) for axis in zip(*axes)]
+    held = [dot(axis, d) - d0 for axis, d0 in zip(axes, components[27:])]
+    return [*(-x for x in on_b), *cross(on_b, d), *on_b, *(0.0 * x for x in unknowns[9:12]), *held]
+
+
+def join_points(draw, count):
+    return [draw.uniform(-2.0, 2.0, count) for _ in range(30)]
+
+
 DEFINITIONS = {
     "slot.friction": slot_friction,
     "coulomb.response": coulomb_response,
@@ -135,5 +169,9 @@ DEFINITIONS = {
     "interaction.pressure_exponential": interaction_pressure_exponential,
     "element.arm": element_arm,
 }
-#: Elements with friction: their residual over the unknowns, these from the inputs, and inputs of theirs.
-ELEMENTS = {"slot_2d": (slot_2d, lambda x: [*(0.0 * x[0] for _ in range(6)), x[6]], slot_2d_points)}
+#: Elements, SLOT with friction: their residual over the unknowns, these from the inputs, and inputs of theirs.
+ELEMENTS = {
+    "slot_2d": (slot_2d, lambda x: [*(0.0 * x[0] for _ in range(6)), x[6]], slot_2d_points),
+    "join": (join, lambda x: [*(0.0 * x[0] for _ in range(12)), *x[24:27]], join_points),
+    "slider_2d": (slider_2d, lambda x: [*(0.0 * x[0] for _ in range(6)), x[6]], slider_2d_points),
+}
