@@ -221,6 +221,7 @@ class Body:
         at_inputs = not any(self.program.ops[place][0] in COSTLY for place in self.order)
         guards, arrives = set(), self.program.reach[1]
         hidden = {self.program.ops[place][1:][k] for place in self.order for k in HIDING.get(self.program.ops[place][0], ())}
+        entries = set(self.places[len(self.program.value) :])
         # Inputs by which a result may be infinite, and those by which it is NaN if they are infinite.
         infinite, is_nan = {}, {}
         for place in self.order:
@@ -235,8 +236,8 @@ class Body:
             else:
                 is_nan[place] = set().union(*(is_nan[k] for k in operands)) if name not in COMPARED else set()
             infinite[place] = infinite[place] - is_nan[place]
-            shown = infinite[place] - self._lost(place) if place in self.places else set()
-            if shown or infinite[place] and (at_inputs or place in hidden):
+            shown = place in self.places and infinite[place] - self._lost(place)
+            if shown or infinite[place] and (at_inputs or place in hidden or place in entries):
                 guards.add(place)
                 is_nan[place] = is_nan[place] | arrives[place]
                 infinite[place] = set()

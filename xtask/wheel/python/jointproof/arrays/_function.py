@@ -85,7 +85,8 @@ class Library:
         return x.detach() if self.is_torch else x
 
     def reused(self, x):
-        """A result that is used more than once."""
+        """A quotient that is used more than once, rounded to the precision that it has: XLA divides where that is used, and would keep
+        the quotient itself in memory."""
         if not self.is_jax:
             return x
         from jax.lax import reduce_precision
