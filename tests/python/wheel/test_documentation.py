@@ -31,43 +31,47 @@ def test_what_is_documented_is_what_runs():
     assert tried > 3 and failed == 0
 
 
-@pytest.fixture
-def typed(tmp_path, monkeypatch):
-    """What mypy says of a program, strictly."""
+USES = """\
+import numpy as np
+from jointproof.slot import contact_force
+value, jacobian = contact_force.linearize(f2=np.ones(3), f3=4.0)
+value.fc.shape, jacobian.fc.f2.shape
+value.fd
+contact_force(f4=1.0)
+import jointproof
+number: float = jointproof.slot.contact_force(f2=3.0, f3=4.0).fc
+slope: float = contact_force.linearize(3.0, 4.0).jacobian.fc.f2
+jointproof.find('slot.yield').inputs[0].name, jointproof.arrays.slot.friction.id
+jointproof.slott
+wrong: float = value.fc
+"""
+
+
+@pytest.fixture(scope="module")
+def typed(tmp_path_factory):
+    """What mypy says, strictly, of these uses and of the examples of the chapter: in one run, since it reads everything anew in each."""
     api = wanted("mypy.api")
-    folder = PACKAGE.parent
-    # mypy finds what is installed where Python looks by itself, and refuses to be told of it.
-    if folder.name != "site-packages":
-        monkeypatch.setenv("MYPYPATH", str(folder))
-
-    def said(program):
-        source = tmp_path / "uses.py"
-        source.write_text(program, encoding="utf-8")
-        # What JAX and Dask leave untyped is theirs.
-        theirs = ["--untyped-calls-exclude=jax", "--untyped-calls-exclude=dask"]
-        options = ["--strict", *theirs, "--no-incremental", "--follow-imports", "silent", "--cache-dir", str(tmp_path)]
-        found, wrong, _ = api.run([*options, str(source)])
-        assert not wrong
-        return [line.split(":", 1)[1] for line in found.split("\n")[:-2]]
-
-    return said
+    examples = re.findall(r"^```python\n(.*?)^```", CHAPTER.read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)
+    assert len(examples) > 9
+    folder = tmp_path_factory.mktemp("typed")
+    programs = {"uses": USES, "chapter": "\n".join(examples)}
+    for name, program in programs.items():
+        (folder / f"{name}.py").write_text(program, encoding="utf-8")
+    # What JAX and Dask leave untyped is theirs.
+    theirs = ["--untyped-calls-exclude=jax", "--untyped-calls-exclude=dask"]
+    options = ["--strict", *theirs, "--no-incremental", "--follow-imports", "silent", "--cache-dir", str(folder)]
+    with pytest.MonkeyPatch.context() as patch:
+        # mypy finds what is installed where Python looks by itself, and refuses to be told of it.
+        if PACKAGE.parent.name != "site-packages":
+            patch.setenv("MYPYPATH", str(PACKAGE.parent))
+        found, wrong, _ = api.run([*options, *(str(folder / f"{name}.py") for name in programs)])
+    assert not wrong
+    said = [re.search(r"(uses|chapter)\.py:(.*)", line).groups() for line in found.splitlines()[:-1]]
+    return {name: [line for of, line in said if of == name] for name in programs}
 
 
 def test_a_type_checker_sees_names_and_shapes(typed):
-    said = typed(
-        "import numpy as np\n"
-        "from jointproof.slot import contact_force\n"
-        "value, jacobian = contact_force.linearize(f2=np.ones(3), f3=4.0)\n"
-        "value.fc.shape, jacobian.fc.f2.shape\n"
-        "value.fd\n"
-        "contact_force(f4=1.0)\n"
-        "import jointproof\n"
-        "number: float = jointproof.slot.contact_force(f2=3.0, f3=4.0).fc\n"
-        "slope: float = contact_force.linearize(3.0, 4.0).jacobian.fc.f2\n"
-        "jointproof.find('slot.yield').inputs[0].name, jointproof.arrays.slot.friction.id\n"
-        "jointproof.slott\n"
-        "wrong: float = value.fc\n"
-    )
+    said = typed["uses"]
     for line, found in zip(
         ["5", "6", "11", "12"], ['_ContactForceValue.* has no attribute "fd"', "No overload variant|f4", 'no attribute "slott"', "Incompatible types"]
     ):
@@ -76,8 +80,7 @@ def test_a_type_checker_sees_names_and_shapes(typed):
 
 
 def test_the_chapter_is_typed(typed):
-    examples = re.findall(r"^```python\n(.*?)^```", CHAPTER.read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)
-    assert len(examples) > 9 and typed("\n".join(examples)) == []
+    assert typed["chapter"] == []
 
 
 @pytest.mark.parametrize("family", sorted({id.split(".")[0] for id in jointproof.formulas}))
