@@ -8,7 +8,7 @@ use jointproof::toolkit::verify::golden::components;
 use std::collections::BTreeMap;
 
 /// The chapters, each of which follows one state.
-const CHAPTERS: [&str; 11] = [
+const CHAPTERS: [&str; 14] = [
     "slot",
     "coulomb",
     "cardan",
@@ -20,6 +20,9 @@ const CHAPTERS: [&str; 11] = [
     "slider",
     "slide-line",
     "interaction",
+    "elements",
+    "stiffness",
+    "unknowns",
 ];
 
 /// What changes on the way, as the chapter says: m is put on the line; surfaces approach until they overlap.
@@ -28,9 +31,10 @@ const CHANGES: [(&str, &str); 2] = [("slider", "xm"), ("interaction", "h")];
 /// The largest number of characters of an input.
 const SHORT: usize = 8;
 
-/// A body in the plane is another one than that in space, and a chapter on slide lines has four places.
+/// A body in the plane is another one than that in space, a chapter on slide lines has four places, and the line of SLIDER is none
+/// of them.
 fn place(id: &str) -> &'static str {
-    let places = ["_2d", "smoothed_linear", "smoothed_parabolic", "contact_area", "torque", "parabol", ""];
+    let places = ["_2d", "smoothed_linear", "smoothed_parabolic", "contact_area", "torque", "parabol", "slider", ""];
     let found = places.into_iter().find(|part| id.contains(part)).unwrap_or_default();
     if found == "torque" && id.starts_with("slide_line") { "contact_area" } else { found }
 }

@@ -141,6 +141,10 @@ fn what_cannot_be_generated_is_named() {
         "*SLIDE LINE",
         "*ELEMENT, TYPE=CAX4\n70, 1, 2, 3, 4\n*ELGEN\n70, 5\n*NGEN, LINE=C\n1, 5, 1, 101\n*SLIDE LINE",
     );
-    let expected = ["*ELEMENT (line 14): elements of type CAX4", "! *NGEN (line 18): nodes along an arc or a parabola"];
+    let expected = [
+        "*ELEMENT (line 14): elements of type CAX4",
+        "*ELGEN (line 16): copies of elements that are left out or missing",
+        "! *NGEN (line 18): nodes along an arc or a parabola",
+    ];
     assert_eq!(left_out(&deck), expected);
 }

@@ -45,8 +45,10 @@ fn equal_turns(row: &Motion, found: &Motion) -> Vec<Equation> {
 /// The triads of both nodes at points of interest.
 pub(in crate::element) fn triads() -> Vec<Case<Triads<f64>>> {
     let [a, b] = turns::axes([1, 2, 3]);
-    let mut cases =
-        vec![Case::hand("aligned", "both triads are the global axes: the rows are i, j and k", Triads::new(a, b))];
+    let mut cases = vec![
+        Case::hand("aligned", "both triads are the global axes: the rows are i, j and k", Triads::new(a, b)),
+        Case::running("all three angles have the sine 0.6 and the cosine 0.8", Triads::new(a, turns::PYTHAGOREAN)),
+    ];
     cases.extend(turns::triads().into_iter().map(|pair| {
         let [a, b] = pair.value;
         Case::hard(pair.id, pair.comment, Triads::new(a, b))

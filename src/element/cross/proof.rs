@@ -39,6 +39,7 @@ fn axes() -> Vec<Case<CrossAxes<f64>>> {
             "the residual is at its largest, and no spin changes it",
             CrossAxes { e3b: Vector3::x(), ..straight },
         ),
+        Case::running("i × e3b = (0, -0.64, -0.48)", CrossAxes { e3b: turns::PYTHAGOREAN[2], ..straight }),
     ];
     cases.extend(turns::triads().into_iter().map(|pair| {
         let [[e1a, ..], [.., e3b]] = pair.value;

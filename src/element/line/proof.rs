@@ -57,7 +57,7 @@ fn positions() -> Vec<Case<Positions<f64>>> {
         xb: Vector3::new(4.0, 6.0, 15.0),
     };
     let mut cases = vec![
-        Case::hand("along-the-axes", "d = (3, 4, 12), and i × d = (0, -12, 4)", axes),
+        Case::running("d = (3, 4, 12), and i × d = (0, -12, 4)", axes),
         Case::hand("in-one-place", "no distance, no moment", Positions { xb: axes.xa, ..axes }),
     ];
     cases.extend(hard::places().into_iter().map(|place| {

@@ -22,6 +22,14 @@ impl Proved for Arm {
                 ArmLoads { f: Vector3::y() * 3.0, ..hand },
             ),
             Case::hand("pushed", "against it: K = 6 across", ArmLoads { f: Vector3::y() * -3.0, ..hand }),
+            Case::running(
+                "r × f = (18, -2, -7)",
+                ArmLoads {
+                    r: Vector3::new(1.0, 2.0, 2.0),
+                    f: Vector3::new(2.0, -3.0, 6.0),
+                    m: Vector3::new(2.0, -1.0, 3.0),
+                },
+            ),
         ];
         let [e1, e2, e3] = hard::triad();
         cases.push(Case::hard("across", "arm and force across, off the axes", ArmLoads { r: e1, f: e2, m: -e3 }));

@@ -50,6 +50,7 @@ impl Proved for RotationVector {
             Case::hand("not-turned", "T is the unit matrix", TurnedLoad { psi: zero, m }),
             Case::hand("about-its-own-axis", "a moment along ψ is as it is", TurnedLoad { psi: m * 0.25, m }),
             Case::hand("no-moment", "nothing", TurnedLoad { psi: Vector3::x(), m: zero }),
+            Case::running("sin ψ = 0.96, cos ψ = -0.28", TurnedLoad { psi: Vector3::z() * 1.8546, m }),
         ];
         let sizes = [1e-30, 1e-12, 1e-4, 0.5, 1.0, 1.999_999_999, 2.000_000_001, 3.0, 6.0, 7.0, 1e3, 1e12];
         cases.extend(sizes.into_iter().flat_map(|size| {
@@ -102,7 +103,7 @@ impl Proved for EulerParameters {
         let mut cases = vec![
             Case::hand("not-turned", "2 m", QuaternionLoad { q0: 1.0, q: zero, m }),
             Case::hand("half-a-turn", "about x: -2 m1, and -2 i × m", QuaternionLoad { q0: 0.0, q: Vector3::x(), m }),
-            Case::hand("oblique", "of whole fifths", QuaternionLoad { q0: 0.6, q: Vector3::z() * 0.8, m }),
+            Case::running("of whole fifths", QuaternionLoad { q0: 0.6, q: Vector3::z() * 0.8, m }),
         ];
         cases.extend([1e-30, 1e-8, 1e8, 1e30].map(|size| {
             let [_, axis, _] = hard::triad();

@@ -80,10 +80,12 @@ pub(super) fn elements(reading: &mut Reading, block: &Block) {
             continue;
         }
         let Some(element) = reading.model.elements.get(&(scope, master)).cloned() else {
-            // It may be one of those that are left out.
+            let shown = reading.model.shown((scope, master));
             if reading.model.others.is_empty() {
-                let shown = reading.model.shown((scope, master));
                 reading.fault(place, format!("no element {shown}"), "the number of an element above");
+            } else {
+                // The numbers of elements of other types are not kept: it may be one of these, or a slip.
+                reading.log.leave_out(block.place, "copies of elements that are left out or missing", false);
             }
             continue;
         };

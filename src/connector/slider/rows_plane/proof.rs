@@ -4,6 +4,7 @@ use super::{Forces, GeometricStiffness, Rows, SliderForces2d, SliderLoads2d, Sli
 use crate::Octuple;
 use crate::connector::slider::hard::{plane_lines, scenes};
 use crate::connector::slider::rows::proof::is_oblique;
+use crate::connector::slider::running::{PLANE_X1 as X1, PLANE_XM as XM, PLANE_XN as XN};
 use crate::connector::slider::{Constraint2d, IncrementalConstraint2d, MovingNodes2d, Nodes2d};
 use crate::element::motion::{Moving, still};
 use crate::formula::proof::{Case, Equation, Law, Proved, law};
@@ -23,6 +24,7 @@ fn places() -> Vec<Case<Nodes2d<f64>>> {
         Case::hand("at-node-1", "ξ = 0: node n takes nothing", Nodes2d { xm: hand.x1, ..hand }),
         Case::hand("at-node-n", "ξ = 1: node 1 takes nothing", Nodes2d { xm: hand.xn, ..hand }),
         Case::hand("outside", "ξ = 2: a lever", Nodes2d { xm: hand.xn * 2.0, ..hand }),
+        Case::running("t = (-0.8, 0.6), ξ = 3/4", Nodes2d { x1: X1, xn: XN, xm: XM }),
     ];
     let scenes = scenes(plane_lines()).into_iter().filter(|(_, line, _)| is_oblique(&(line.xn - line.x1)));
     cases.extend(scenes.map(|(id, line, xm)| Case::hard(id, line.comment, Nodes2d { x1: line.x1, xn: line.xn, xm })));

@@ -37,7 +37,7 @@ fn places() -> Vec<Case<PlanePlaces<f64>>> {
     let [_, e2a] = hard::plane_triad();
     let axes = PlanePlaces { e2a: Vector2::y(), xa: Vector2::new(1.0, 2.0), xb: Vector2::new(4.0, 6.0) };
     let mut cases = vec![
-        Case::hand("along-the-axes", "d = (3, 4), (-1, 0)·d = -3", axes),
+        Case::running("d = (3, 4), (-1, 0)·d = -3", axes),
         Case::hand("in-one-place", "no distance, no moment", PlanePlaces { xb: axes.xa, ..axes }),
     ];
     cases.extend(hard::places().into_iter().map(|place| {
