@@ -86,11 +86,13 @@ impl<D: Scalar> Sides<D> {
         self.after - self.before
     }
 
-    /// The side before the midside node, and the one after it or, if that is shorter, the chord: both have the same product with it.
+    /// The side before the midside node, and the one after it or, if that is shorter, the chord: their product is the same.
     #[inline]
     fn shorter(&self) -> [Vector2<D>; 2] {
         let size = |v: Vector2<D>| abs(v.x) + abs(v.y);
-        [self.before, if size(self.chord) < size(self.after) { self.chord } else { self.after }]
+        let other =
+            choice::<D, 2>(|| (if size(self.chord) < size(self.after) { self.chord } else { self.after }).into());
+        [self.before, other.into()]
     }
 
     /// n·X″ = before × after / |X′|.

@@ -161,8 +161,8 @@ impl Formula for ClosestSmoothedParabolic {
 .given(&[Given::new(r"\mathbf{X}(t),\ \mathbf{X}'", &SmoothedParabolicPoint::SPEC), Given::new(r"\mathbf{n}", &LocalBasis::SPEC)])
         // Of a million entries at random points one is above 128: derivatives with respect to f between nodes whose distances
         // differ by factors of 1e6, where the ends move nearly along the tangent.
-        // The largest η that `audit --attack` found is 3.3 for the value, and 7.5 is possible to first order; for the Jacobian 72.3
-        // and 469.
+        // The largest η that `audit --attack` found is 4.63 for the value, and 12.8 is possible to first order; for the Jacobian 108
+        // and 436.
         .eta(4.0, 512.0)
         .normwise(8.0, 512.0)
         .apart(0.01)
