@@ -6,7 +6,7 @@ use crate::contact::slide_line::basis::length_and_tangent;
 use crate::contact::slide_line::shape::Shape;
 use crate::contact::slide_line::{left, length};
 use crate::formula::error::Error;
-use crate::number::scalar::{Scalar, abs, choice, constant, leaf};
+use crate::number::scalar::{Scalar, abs, choice, constant, is_between, leaf};
 use nalgebra::Vector2;
 
 /// The closest point of a curve.
@@ -126,8 +126,10 @@ impl<D: Scalar, const N: usize> Foot<D, N> {
         let (length, t) = length_and_tangent(place.rate);
         let beyond = place.gap.dot(&t) / length;
         let weights = S::on_end_tangent(view.xs, &view.nodes, view.f, u);
-        // With a sum of 1 they are those of a point of the tangent, whatever the rounding errors of |Y′|.
-        let per_sum = weights.iter().fold(D::zero(), |sum, &weight| sum + weight).recip();
+        // With a sum of 1 they are those of a point of the tangent, whatever the rounding errors of |Y′|; unless they are so large
+        // that nothing is left of the sum.
+        let sum = weights.iter().fold(D::zero(), |sum, &weight| sum + weight);
+        let [per_sum] = choice(|| [if is_between(sum, 0.5, 2.0) { sum.recip() } else { D::one() }]);
         Self {
             u,
             missing: D::zero(),
