@@ -1,15 +1,18 @@
 //! The closest point is the global one, on every kind of curve, and no input makes the search loop or panic.
 
+use jointproof::catalog::find;
 use jointproof::contact::slide_line::{
     ClosestLinear, ClosestParabolic, ClosestSmoothedLinear, ClosestSmoothedParabolic, CornerFoot, LinearCornerPlace,
     LinearCornerSlave, LinearPlace, LinearPoint, LinearSlave, ParabolicCornerPlace, ParabolicCornerSlave,
     ParabolicPlace, ParabolicPoint, ParabolicSlave, SegmentFoot, SmoothedLinearPoint, SmoothedParabolicPoint,
 };
 use jointproof::formula::{Component, Fields, Formula, Jacobian, check, value, value_and_jacobian};
+use jointproof::toolkit::verify::golden::components;
 use jointproof::toolkit::verify::{Sensitivity, eta, exactly};
 use jointproof::{Error, Octuple};
 use nalgebra::Vector2;
 use proptest::prelude::*;
+use serde_json::{Map, Value};
 
 type Point = Vector2<f64>;
 
@@ -301,4 +304,20 @@ fn near_a_centre_of_curvature_the_foot_is_as_good_as_its_condition() {
         last = condition;
     }
     assert!(last > 1e14);
+}
+
+/// Points at which a search refuted bounds of η, each as `audit --attack` prints it: beyond an end, where the separation was taken
+/// from the end; near an end, where ∂X/∂f is nearly tangential; near a node that nothing depends on; with sides nearly along the gap.
+#[test]
+fn where_terms_cancel_the_bounds_hold() {
+    let points: Map<String, Value> = serde_json::from_str(include_str!("data/cancelling.json")).unwrap();
+    for (id, points) in points {
+        let formula = find(&id).unwrap();
+        for point in points.as_array().unwrap() {
+            let inputs = components(formula.inputs(), point.as_object().unwrap()).unwrap();
+            for claim in formula.eta_at(&inputs).unwrap() {
+                assert_eq!(claim.failures, 0, "{id} {point}: {claim:?}");
+            }
+        }
+    }
 }

@@ -15,9 +15,6 @@ use nalgebra::Vector2;
 pub(super) trait Shape<const N: usize> {
     /// The coordinates of the ends.
     const ENDS: [f64; 2];
-    /// Whether the tangent at an end rotates with f. If it does not, the separation from one of its points does not change with f
-    /// either, not even by rounding; if it does, the separation from the end is more accurate.
-    const ENDS_TURN: bool = false;
 
     /// N(u).
     fn weights<D: Scalar>(f: D, u: D) -> [D; N];
@@ -31,6 +28,11 @@ pub(super) trait Shape<const N: usize> {
     /// N‴/factor.
     fn third_derivatives<D: Scalar>(_: D) -> [D; N] {
         [D::zero(); N]
+    }
+
+    /// Two vectors with the product Y′ × Y″, if the curve is quadratic: then it is the same everywhere.
+    fn turning<D: Scalar>(_: &[Vector2<D>; N]) -> Option<[Vector2<D>; 2]> {
+        None
     }
 
     /// The factor omitted from the derivatives.
@@ -84,12 +86,20 @@ impl<D: Scalar> Sides<D> {
         self.after - self.before
     }
 
-    /// n·X″ = before × after / |X′|, with the chord in place of the side after the midside node if that is longer.
+    /// The side before the midside node, and the one after it or, if that is shorter, the chord: their product is the same.
+    #[inline]
+    fn shorter(&self) -> [Vector2<D>; 2] {
+        let size = |v: Vector2<D>| abs(v.x) + abs(v.y);
+        let other =
+            choice::<D, 2>(|| (if size(self.chord) < size(self.after) { self.chord } else { self.after }).into());
+        [self.before, other.into()]
+    }
+
+    /// n·X″ = before × after / |X′|.
     #[inline]
     pub(crate) fn turn(&self, speed: D) -> D {
-        let size = |v: Vector2<D>| abs(v.x) + abs(v.y);
-        let other = if size(self.chord) < size(self.after) { &self.chord } else { &self.after };
-        (self.before / speed).perp(other)
+        let [before, other] = self.shorter();
+        (before / speed).perp(&other)
     }
 }
 
@@ -118,6 +128,10 @@ impl Shape<3> for Parabola {
     fn second_derivatives<D: Scalar>(_: D, _: D) -> [D; 3] {
         [1.0, -2.0, 1.0].map(D::from)
     }
+    #[inline]
+    fn turning<D: Scalar>(nodes: &[Vector2<D>; 3]) -> Option<[Vector2<D>; 2]> {
+        Some(Sides::new(*nodes).shorter())
+    }
     fn on_end_tangent<D: Scalar>(xs: Vector2<D>, nodes: &[Vector2<D>; 3], _: D, g: D) -> [D; 3] {
         let square = |x: D| x * x * 0.5;
         on_tangent(xs, nodes, g, [square(-g + 1.0), square(g), square(g + 1.0)])
@@ -127,7 +141,8 @@ impl Shape<3> for Parabola {
 /// The weights of the point closest to xs on the tangent of a parabola at g; given ½(1−g)², ½g² and ½(1+g)².
 ///
 /// A point Σ wᵢ xᵢ of the tangent has the weights w = N + τ N′. With τ = (xs − X)·X′/|X′|² every weight is
-/// wⱼ = Σᵢ (Nᵢ Nⱼ′ − Nᵢ′ Nⱼ) (xs − xᵢ)·X′/|X′|², and these Wronskians are the three squares, with signs.
+/// wⱼ = Σᵢ (Nᵢ Nⱼ′ − Nᵢ′ Nⱼ) (xs − xᵢ)·X′/|X′|², and these Wronskians are the three squares, with signs. Whatever numbers
+/// stand in place of the (xs − xᵢ)·X′/|X′|², the point is on the tangent once the weights are divided by their sum.
 fn on_tangent<D: Scalar>(xs: Vector2<D>, nodes: &[Vector2<D>; 3], g: D, [left, middle, right]: [D; 3]) -> [D; 3] {
     let (length, along) = length_and_tangent(Sides::new(*nodes).rate(g));
     let [d1, d2, d3] = nodes.map(|x| (xs - x).dot(&along) / length);
@@ -169,6 +184,11 @@ impl Shape<3> for LinearCorner {
     fn second_derivatives<D: Scalar>(_: D, _: D) -> [D; 3] {
         [2.0, -4.0, 2.0].map(D::from)
     }
+    #[inline]
+    fn turning<D: Scalar>(nodes: &[Vector2<D>; 3]) -> Option<[Vector2<D>; 2]> {
+        let [side, other] = Sides::new(*nodes).shorter();
+        Some([side * D::from(4.0), other])
+    }
     /// The tangents are the straight segments, for every f.
     fn on_end_tangent<D: Scalar>(xs: Vector2<D>, [x1, x2, x3]: &[Vector2<D>; 3], _: D, t: D) -> [D; 3] {
         let zero = D::zero();
@@ -198,6 +218,31 @@ impl Shape<3> for LinearCorner {
 pub(super) struct ParabolicCorner;
 
 impl ParabolicCorner {
+    /// The two terms of ½ ∂²X/∂f² = 2 (s−t) (s² (x1−2x2+x3) − t² (x3−2x4+x5)), given s, t and s − t.
+    #[inline]
+    pub(super) fn bend_by_fraction<D: Scalar>(
+        [x1, x2, x3, x4, x5]: [Vector2<D>; 5],
+        [s, t, difference]: [D; 3],
+    ) -> [Vector2<D>; 2] {
+        let side = |nodes, weight: D| Sides::new(nodes).second_derivative() * (difference * weight * 2.0);
+        [side([x1, x2, x3], s * s), side([x3, x4, x5], -(t * t))]
+    }
+
+    /// The weights of the nodes beside x3 in ∂X/∂f + ½s Y′ if s ≥ t, and in ∂X/∂f − ½t Y′ otherwise. They vanish at the nearer end.
+    #[inline]
+    pub(super) fn across_by_fraction<D: Scalar>(f: D, [s, t]: [D; 2]) -> [D; 5] {
+        let sides = |near: D, other: D| {
+            let (bent, more) = (f * near * near * other * 2.0, f * (-(other * (other + 2.0)) + 1.0));
+            [[-bent, bent * 2.0], [-(other * (more * 2.0 + 1.0)), other * (more + 1.0) * 4.0]]
+        };
+        let zero = D::zero();
+        choice(|| {
+            let [[n1, n2], [n5, n4]] = sides(s, t);
+            let [[m5, m4], [m1, m2]] = sides(t, s);
+            if s < t { [m1, m2, zero, m4, m5] } else { [n1, n2, zero, n4, n5] }
+        })
+    }
+
     /// The derivatives of weights, rates and second derivatives with respect to f.
     #[inline]
     pub(super) fn by_fraction<D: Scalar>(f: D, t: D) -> [[D; 5]; 3] {
@@ -226,7 +271,6 @@ impl ParabolicCorner {
 
 impl Shape<5> for ParabolicCorner {
     const ENDS: [f64; 2] = [0.0, 1.0];
-    const ENDS_TURN: bool = true;
 
     #[inline]
     fn weights<D: Scalar>(f: D, t: D) -> [D; 5] {

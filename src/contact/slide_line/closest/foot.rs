@@ -6,7 +6,7 @@ use crate::contact::slide_line::basis::length_and_tangent;
 use crate::contact::slide_line::shape::Shape;
 use crate::contact::slide_line::{left, length};
 use crate::formula::error::Error;
-use crate::number::scalar::{Scalar, abs, choice, constant, leaf};
+use crate::number::scalar::{Scalar, abs, choice, constant, is_between, leaf};
 use nalgebra::Vector2;
 
 /// The closest point of a curve.
@@ -22,7 +22,7 @@ pub(super) struct Foot<D, const N: usize> {
     pub(super) weights: [D; N],
     /// The weights of the nodes in Y′.
     pub(super) rates: [D; N],
-    /// xs minus the foot or, beyond an end whose tangent does not rotate with f, minus the closest point of the tangent.
+    /// xs minus the foot or, beyond an end, minus the closest point of the tangent.
     pub(super) gap: Vector2<D>,
     /// Y′.
     pub(super) rate: Vector2<D>,
@@ -86,7 +86,7 @@ impl<D: Scalar, const N: usize> Foot<D, N> {
             second: place.second + view.combination(S::third_derivatives(view.f)) * missing,
             ..place
         };
-        let slope = place.slope();
+        let slope = Self::slope(view, &place);
         let [per_slope] = choice(|| [if slope == 0.0 { D::zero() } else { slope.recip() }]);
         Self {
             u,
@@ -101,17 +101,41 @@ impl<D: Scalar, const N: usize> Foot<D, N> {
         }
     }
 
+    /// r′ at the foot.
+    ///
+    /// The gap is along the normal, so (xs − X)·Y″ is also the product of n·(xs − X) and n·Y″ = Y′ × Y″ / |Y′|: the one of the two
+    /// with the smaller terms is taken.
+    fn slope<S: Shape<N>>(view: &View<D, S, N>, place: &CurveAt<D>) -> D {
+        let CurveAt { gap, rate, second, factor } = *place;
+        let Some([side, other]) = S::turning(&view.nodes).map(|sides| sides.map(|side| view.in_unit(side))) else {
+            return place.slope();
+        };
+        let square = rate.dot(&rate);
+        let depth = rate.perp(&gap) / square;
+        let terms = |x: D, y: D| abs(x) + abs(y);
+        let turned = terms(side.x * other.y, side.y * other.x) * abs(depth);
+        let [along] = choice(|| {
+            let is_less = turned < terms(gap.x * second.x, gap.y * second.y);
+            [if is_less { side.perp(&other) * depth } else { gap.dot(&second) }]
+        });
+        along - factor * square
+    }
+
     pub(super) fn at_end<S: Shape<N>>(view: &View<D, S, N>, u: D) -> Self {
         let place = view.at(u);
         let (length, t) = length_and_tangent(place.rate);
         let beyond = place.gap.dot(&t) / length;
         let weights = S::on_end_tangent(view.xs, &view.nodes, view.f, u);
+        // With a sum of 1 they are those of a point of the tangent, whatever the rounding errors of |Y′|; unless they are so large
+        // that nothing is left of the sum.
+        let sum = weights.iter().fold(D::zero(), |sum, &weight| sum + weight);
+        let [per_sum] = choice(|| [if is_between(sum, 0.5, 2.0) { sum.recip() } else { D::one() }]);
         Self {
             u,
             missing: D::zero(),
             weights,
             rates: S::rates(view.f, u),
-            gap: if S::ENDS_TURN { place.gap } else { view.gap(weights) },
+            gap: view.gap(weights.map(|weight| weight * per_sum)),
             rate: place.rate,
             per_slope: D::zero(),
             beyond,
