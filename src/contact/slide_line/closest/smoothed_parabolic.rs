@@ -159,8 +159,8 @@ impl Formula for ClosestSmoothedParabolic {
     )
         .equation(r"t = \operatorname*{arg\,min}_{0 \le t \le 1}\,\lvert\mathbf{x}_s-\mathbf{X}(t)\rvert,\quad E_{11} = \bigl(\mathbf{x}_s-\mathbf{X}(t)\bigr)\cdot\mathbf{n}")
 .given(&[Given::new(r"\mathbf{X}(t),\ \mathbf{X}'", &SmoothedParabolicPoint::SPEC), Given::new(r"\mathbf{n}", &LocalBasis::SPEC)])
-        // Of a million entries at random points one is above 128: derivatives with respect to f between nodes whose distances
-        // differ by factors of 1e6, where the ends move nearly along the tangent.
+        // Derivatives with respect to f are the largest, between nodes whose distances differ by factors of 1e6, where the ends move
+        // nearly along the tangent.
         // The largest η that `audit --attack` found is 4.63 for the value, and 12.8 is possible to first order; for the Jacobian 108
         // and 436.
         .eta(4.0, 512.0)
