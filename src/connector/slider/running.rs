@@ -12,6 +12,8 @@ pub(crate) const XN: Vector3<f64> = Vector3::new(16.0, 13.0, 17.0);
 pub(crate) const BESIDE: Vector3<f64> = Vector3::new(9.0, 8.0, 9.0);
 /// Node m on the line, with the same third coordinate.
 pub(crate) const XM: Vector3<f64> = Vector3::new(8.5, 7.0, 9.0);
+/// Node m on the line, at a quarter: half-way some derivatives of the forces would vanish.
+pub(crate) const QUARTER: Vector3<f64> = Vector3::new(4.75, 4.0, 5.0);
 /// The motion of node 1.
 pub(crate) const DX1: Vector3<f64> = Vector3::new(0.5, -0.65, 1.55);
 /// That of node n.

@@ -3,7 +3,7 @@
 use super::{Forces, GeometricStiffness, Rows, SliderForces, SliderLoads, SliderRows};
 use crate::Octuple;
 use crate::connector::slider::hard::{lines, scenes};
-use crate::connector::slider::running::{X1, XM, XN};
+use crate::connector::slider::running::{QUARTER, X1, XN};
 use crate::connector::slider::{Constraint, Distances, Ends, IncrementalConstraint, Line, MovingNodes, Nodes};
 use crate::element::motion::{Moving, still};
 use crate::formula::proof::{Case, Equation, Kink, Law, Proved, law};
@@ -30,7 +30,7 @@ fn places() -> Vec<Case<Nodes<f64>>> {
             "along i exactly: t1 and t2 jump",
             Nodes { xn: Vector3::new(2.0, 0.0, 0.0), xm: Vector3::new(0.5, 0.0, 0.0), ..hand },
         ),
-        Case::running("t1 = (0, 0.8, -0.6), t2 = (-0.8, 0.36, 0.48), ξ = 1/2", Nodes { x1: X1, xn: XN, xm: XM }),
+        Case::running("t1 = (0, 0.8, -0.6), t2 = (-0.8, 0.36, 0.48), ξ = 1/4", Nodes { x1: X1, xn: XN, xm: QUARTER }),
     ];
     let scenes = scenes(lines()).into_iter().filter(|(_, line, _)| is_oblique(&(line.xn - line.x1)));
     cases.extend(scenes.map(|(id, line, xm)| Case::hard(id, line.comment, Nodes { x1: line.x1, xn: line.xn, xm })));
