@@ -75,8 +75,8 @@ impl Formula for ClosestParabolic {
     )
         .equation(r"g = \operatorname*{arg\,min}_{-1 \le g \le 1}\,\lvert\mathbf{x}_s-\mathbf{X}(g)\rvert,\quad E_{11} = \bigl(\mathbf{x}_s-\mathbf{X}(g)\bigr)\cdot\mathbf{n}")
 .given(&[Given::new(r"\mathbf{X}(g),\ \mathbf{X}'", &ParabolicPoint::SPEC), Given::new(r"\mathbf{n}", &LocalBasis::SPEC)])
-        // The largest η that `audit --attack` found is 2.56 for the value, and 6.44 is possible to first order; for the Jacobian 11.9
-        // and 27.9.
+        // The largest η that `audit --attack` found is 2.6 for the value, and 7.18 is possible to first order; for the Jacobian 13.7
+        // and 30.9.
         .eta(4.0, 12.0)
         .normwise(6.5, 24.0)
         .apart(0.01)

@@ -111,8 +111,8 @@ impl Formula for ClosestSmoothedLinear {
 .given(&[Given::new(r"\mathbf{X}(t),\ \mathbf{X}'", &SmoothedLinearPoint::SPEC), Given::new(r"\mathbf{n}", &LocalBasis::SPEC)])
         // Above 8 at a few random points: the derivative of the separation with respect to f, if both segments are nearly
         // collinear.
-        // The largest η that `audit --attack` found is 2.49 for the value, and 4.66 is possible to first order; for the Jacobian 10.7
-        // and 47.9.
+        // The largest η that `audit --attack` found is 2.64 for the value, and 4.66 is possible to first order; for the Jacobian 25.2
+        // and 85.9.
         .eta(4.0, 48.0)
         .normwise(6.0, 96.0)
         .apart(0.01)
