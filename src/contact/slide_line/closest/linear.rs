@@ -119,7 +119,7 @@ impl Formula for ClosestLinear {
         .equation(r"g = \operatorname*{arg\,min}_{-1 \le g \le 1}\,\lvert\mathbf{x}_s-\mathbf{X}(g)\rvert,\quad E_{11} = \bigl(\mathbf{x}_s-\mathbf{X}(g)\bigr)\cdot\mathbf{n}")
 .given(&[Given::new(r"\mathbf{X}(g),\ \mathbf{X}'", &LinearPoint::SPEC), Given::new(r"\mathbf{n}", &LocalBasis::SPEC)])
         // The largest η that `audit --attack` found is 8.79 for the value, and 11 is possible to first order; for the Jacobian 10.9
-        // and 15.4.
+        // and 17.4.
         .eta(11.0, 18.0)
         .scale(1e120)
         .finite(Finite::Between);
