@@ -96,7 +96,7 @@ fn points_are_counted_and_on_a_switch_there_is_no_derivative() {
 
 #[test]
 fn what_is_right_has_errors_of_a_few_roundings() {
-    for id in ["closed", "checked", "ad", "octuple", "octuple-ad"] {
+    for id in ["closed", "checked", "ad", "complex", "octuple", "octuple-ad"] {
         for errors in errors_of(id).into_iter().flatten().flatten() {
             assert!(errors.not_finite == 0 && errors.eta.max < 4.0 && errors.relative < 1e-15, "{id}: {errors:?}");
         }

@@ -76,7 +76,9 @@ fn every_formula_of_the_catalog_is_in_it_with_finite_figures() {
         assert_figures(&formula["copy"], &format!("{id} copy"));
         assert_eq!(formula["curves"].as_array().unwrap().len(), 3, "{id}");
         let methods = formula["methods"].as_array().unwrap();
-        for expected in ["closed", "checked", "single", "ad", "forward", "central", "fourth", "octuple", "octuple-ad"] {
+        for expected in
+            ["closed", "checked", "single", "ad", "complex", "forward", "central", "fourth", "octuple", "octuple-ad"]
+        {
             let method = methods.iter().find(|method| method["id"] == expected);
             let method = method.unwrap_or_else(|| panic!("{id} has no way {expected}"));
             let is_automatic = !jointproof::catalog::find(id.as_str().unwrap()).unwrap().spec().is_closed();

@@ -39,30 +39,14 @@ impl Scheme {
         }
     }
 
-    /// Value and Jacobian of `F`. The step is `relative_step` times the size of the field to which an input belongs,
-    /// or times 1 if that is zero; it is the difference of two doubles.
+    /// Value and Jacobian of `F`. The step is the difference of two doubles.
     #[inline]
     pub(super) fn value_and_jacobian<F: Formula>(
         self,
         relative_step: f64,
         i: &F::Inputs<f64>,
     ) -> ValueAndJacobian<F, f64> {
-        let mut x = to_array(i);
-        let here = F::eval(i);
-        let mut rows = no_rows::<F, f64>();
-        let mut k = 0;
-        for field in F::Inputs::<f64>::FIELDS {
-            let end = k + field.len();
-            let size = x.as_ref()[k..end].iter().fold(0.0_f64, |size, x| size.max(x.abs()));
-            let step = relative_step * if size == 0.0 { 1.0 } else { size };
-            while k < end {
-                let column = self.column::<F>(&mut x, k, step, &here);
-                let entries = rows.as_mut().iter_mut().map(|row| &mut row.as_mut()[k]);
-                entries.zip(column.as_ref()).for_each(|(entry, &derivative)| *entry = derivative);
-                k += 1;
-            }
-        }
-        (here, jacobian_of::<F, f64>(&rows))
+        by_columns::<F>(relative_step, i, |x, k, step, here| self.column::<F>(x, k, step, here))
     }
 
     /// The derivatives with respect to input component `k`.
@@ -94,6 +78,32 @@ impl Scheme {
         x.as_mut()[k] = at;
         column
     }
+}
+
+/// Value and Jacobian of `F`, one input component after the other: `column` gives the derivatives with respect to component `k`. The
+/// step is `relative_step` times the size of the field to which the component belongs, or times 1 if that is zero.
+#[inline]
+pub(super) fn by_columns<F: Formula>(
+    relative_step: f64,
+    i: &F::Inputs<f64>,
+    column: impl Fn(&mut Array<F::Inputs<f64>>, usize, f64, &F::Outputs<f64>) -> Array<F::Outputs<f64>>,
+) -> ValueAndJacobian<F, f64> {
+    let mut x = to_array(i);
+    let here = F::eval(i);
+    let mut rows = no_rows::<F, f64>();
+    let mut k = 0;
+    for field in F::Inputs::<f64>::FIELDS {
+        let end = k + field.len();
+        let size = x.as_ref()[k..end].iter().fold(0.0_f64, |size, x| size.max(x.abs()));
+        let step = relative_step * if size == 0.0 { 1.0 } else { size };
+        while k < end {
+            let column = column(&mut x, k, step, &here);
+            let entries = rows.as_mut().iter_mut().map(|row| &mut row.as_mut()[k]);
+            entries.zip(column.as_ref()).for_each(|(entry, &derivative)| *entry = derivative);
+            k += 1;
+        }
+    }
+    (here, jacobian_of::<F, f64>(&rows))
 }
 
 /// A separate call, as for a formula in another library; and compiled once, not once per term of every scheme.

@@ -1,5 +1,6 @@
 //! Every method of computing a formula: the closed form in several number types, derivatives by other means, and its own.
 
+use super::complex;
 use super::exact::{self, Exact, Point, Points};
 use super::{Curve, Errors, Figures, MethodFigures, Options, Scheme};
 use crate::formula::proof::method::Kernel;
@@ -11,7 +12,7 @@ use std::hint::black_box;
 
 /// Every method of computing `F`, the closed form first.
 pub(super) fn all<F: Proved>(curves: &[Curve]) -> Vec<Method> {
-    let mut methods = vec![closed::<F>(), checked::<F>(), single::<F>(), ad::<F>()];
+    let mut methods = vec![closed::<F>(), checked::<F>(), single::<F>(), ad::<F>(), complex_step::<F>()];
     for (scheme, step) in best(curves) {
         methods.push(differences::<F>(scheme, step));
     }
@@ -125,6 +126,11 @@ fn ad<F: Proved>() -> Method {
     let jacobian = |i: &_| value_and_jacobian_by_ad::<F, f64>(i);
     Method::of("ad", "automatic differentiation")
         .jacobian(Kernel::new(typed, jacobian, |(_, jacobian)| entries(jacobian)))
+}
+
+fn complex_step<F: Proved>() -> Method {
+    let kernel = Kernel::new(typed, complex::value_and_jacobian::<F>, |(_, jacobian)| entries(jacobian));
+    Method::of("complex", "complex step").jacobian(kernel)
 }
 
 /// Differences with a given step.

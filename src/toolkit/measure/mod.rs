@@ -6,6 +6,7 @@
 //! | `checked` | [`value`](crate::formula::value), as a program calls it | [`value_and_jacobian`](crate::formula::value_and_jacobian) |
 //! | `single` | `eval` in [`Single`](crate::Single) | `jacobian` in it |
 //! | `ad` | | forward automatic differentiation of `eval` in `f64` |
+//! | `complex` | | complex step: one evaluation of `eval` in complex numbers an input |
 //! | `forward`, `central`, `fourth` | | differences of `eval` in `f64` |
 //! | `octuple` | `eval` in 237 bits, rounded | `jacobian` in 237 bits, rounded |
 //! | `octuple-ad` | | automatic differentiation in 237 bits, rounded |
@@ -29,6 +30,7 @@
 
 mod clock;
 mod columns;
+mod complex;
 mod difference;
 mod exact;
 mod figures;

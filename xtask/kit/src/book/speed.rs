@@ -285,10 +285,8 @@ fn differences(report: &Report) -> String {
 
 /// The formulas with additional methods, naive ones or those of the document, compared with the closed form.
 fn own(pages: &Pages<'_>, at: &Place, report: &Report) -> String {
-    const COMMON: [&str; 9] =
-        ["closed", "checked", "single", "ad", "forward", "central", "fourth", "octuple", "octuple-ad"];
     let others = |measurement: &'_ Measurement| -> Vec<MethodFigures> {
-        measurement.methods.iter().filter(|method| !COMMON.contains(&&*method.id)).cloned().collect()
+        measurement.methods.iter().filter(|method| !spread::is_common(&method.id)).cloned().collect()
     };
     let mut rows = String::new();
     for measurement in &report.formulas {

@@ -30,16 +30,22 @@ pub(crate) struct Spread {
 type Method = (&'static str, &'static str, fn(usize) -> usize);
 
 /// The methods that every formula has.
-const METHODS: [Method; 8] = [
+const METHODS: [Method; 9] = [
     ("closed", "1", |_| 1),
     ("single", "1", |_| 1),
     ("ad", "⌈n/4⌉", |n| n.div_ceil(4)),
+    ("complex", "n, complex", |n| n),
     ("forward", "n + 1", |n| n + 1),
     ("central", "2n + 1", |n| 2 * n + 1),
     ("fourth", "4n + 1", |n| 4 * n + 1),
     ("octuple", "1", |_| 1),
     ("octuple-ad", "⌈n/4⌉", |n| n.div_ceil(4)),
 ];
+
+/// Whether every formula has this method.
+pub(crate) fn is_common(id: &str) -> bool {
+    id == "checked" || METHODS.iter().any(|(common, ..)| *common == id)
+}
 
 /// The step to choose if nothing is known, relative to the input: its truncation error is as large as the rounding error.
 fn usual_step(scheme: Scheme) -> f64 {

@@ -31,6 +31,7 @@ pub(super) fn style(id: &str) -> Style {
         "checked" => ("method-closed", RING, "checked"),
         "single" => ("method-single", SQUARE, "single"),
         "ad" => ("method-ad", UP, "AD"),
+        "complex" => ("method-ad", DIAMOND, "complex step"),
         "forward" => ("method-difference", DIAMOND, "forward"),
         "central" => ("method-difference", PLUS, "central"),
         "fourth" => ("method-difference", BAR, "4th order"),
