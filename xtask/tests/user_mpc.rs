@@ -53,7 +53,7 @@ fn lines() -> Vec<Places> {
     (0..300).map(|_| [(); 3].map(|()| Vector3::from_fn(|_, _| next()))).collect()
 }
 
-/// The eliminated coordinates of m with their derivatives by nodes 1 and n and by the one that is kept.
+/// The eliminated coordinates of m with their derivatives with respect to nodes 1 and n and to the one that is kept.
 fn in_rust(dim: usize, [xm, x1, xn]: &Places, kept: usize) -> (Vec<f64>, Vec<Vec<f64>>) {
     if dim == 3 {
         let given = KeptCoordinate { x1: *x1, xn: *xn, xmk: xm[kept] };

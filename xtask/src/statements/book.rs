@@ -149,7 +149,7 @@ fn sources(documents: &[Document]) -> String {
     let mut text = String::new();
     for Document { source, about, found, sections, text: used, statements, .. } in documents {
         let sections = match *sections {
-            [] => "none in our text".to_owned(),
+            [] => "none in our copy".to_owned(),
             sections => sections.iter().map(|section| format!("*{section}*")).collect::<Vec<_>>().join("; "),
         };
         let used = match used {

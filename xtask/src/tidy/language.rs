@@ -5,7 +5,7 @@ use super::tree::Tree;
 use std::path::Path;
 
 /// A phrase, and what to write; `…` is anything within a clause.
-const PHRASES: [(&str, &str); 22] = [
+const PHRASES: [(&str, &str); 23] = [
     ("derivative by ", "derivative with respect to"),
     ("derivatives by ", "derivatives with respect to"),
     ("derivative of … by the translation", "derivative of … with respect to the translation"),
@@ -28,6 +28,7 @@ const PHRASES: [(&str, &str); 22] = [
     ("Given are ", "Inputs:"),
     ("does the work of the moment", "conjugate to"),
     ("no document says", "no document states"),
+    ("our text", "our copy"),
 ];
 
 /// What names the phrases.

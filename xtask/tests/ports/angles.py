@@ -1,4 +1,4 @@
-"""universal.angles: angles of a universal joint with their derivatives by the vectors."""
+"""universal.angles: angles of a universal joint with their derivatives with respect to the vectors."""
 
 import math
 import sys

@@ -105,7 +105,7 @@ pub struct ElementRecord {
 pub struct Out {
     /// By how much the conditions are off; without multipliers, what is reported.
     pub residuals: Vec<f64>,
-    /// Their derivative by the degrees of freedom.
+    /// Their derivative with respect to the degrees of freedom.
     pub rows: Vec<Vec<f64>>,
     /// What acts on the nodes.
     pub forces: Vec<f64>,

@@ -1,4 +1,4 @@
-//! Mistakes in a single operation: what it gives instead, with its derivatives by its operands.
+//! Mistakes in a single operation: what it gives instead, with its derivatives with respect to its operands.
 
 use super::sample::single;
 use jointproof::toolkit::graph::{Binary, Node, Op, Relation, Unary};
@@ -44,7 +44,7 @@ pub(super) enum Change {
     Value(Node),
 }
 
-/// A result with its derivatives by the nodes that it depends on.
+/// A result with its derivatives with respect to the nodes that it depends on.
 pub(super) type Local = (f64, Vec<(Node, f64)>);
 
 /// The result of an operation as it is.

@@ -65,7 +65,7 @@ pub(super) fn exchanges(evidence: &Evidence<'_>) -> Vec<(String, Places)> {
     exchanges
 }
 
-/// The derivatives by two inputs exchanged: of all outputs, or of one.
+/// The derivatives with respect to two inputs exchanged: of all outputs, or of one.
 fn columns(
     inputs: &[Field],
     outputs: &[Field],

@@ -13,7 +13,7 @@ pub(super) fn document() -> Document {
         anchor: "slide-line",
         about: "A run of pages of a manual: the end of its Section 40.4.1, *Slide line contact elements*, from the local basis on, \
                 and Section 40.4.2, *Axisymmetric slide line element library*. The part before the local basis is missing \
-                in our text. The defaults of EXTENSION ZONE (0.1) and SMOOTH (0) are those of the public keyword page of \\*SLIDE LINE, \
+                in our copy. The defaults of EXTENSION ZONE (0.1) and SMOOTH (0) are those of the public keyword page of \\*SLIDE LINE, \
                 which this section refers to.",
         found: "Look for Sections 40.4.1 and 40.4.2, Figures 40.4.1–3 to 40.4.1–5. The pages name the product Abaqus/Standard.",
         sections: &[

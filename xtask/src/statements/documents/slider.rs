@@ -11,7 +11,7 @@ pub(super) fn document() -> Document {
         source: formula::Document::SLIDER,
         anchor: "slider",
         about: "The theory of a multi-point constraint that keeps a node on the straight line through two others: the condition, \
-                its elimination, its derivative, and the case of two dimensions. Our text is one paragraph without \
+                its elimination, its derivative, and the case of two dimensions. Our copy is one paragraph without \
                 headings, in which **all symbols and equations are missing**; only the words between them remain, and [the \
                 chapter](slider.md) derives the equations from them.",
         found: "The text calls its subject *the sliding constraint*, an MPC. It names the products Abaqus/Standard and \

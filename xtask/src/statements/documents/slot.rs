@@ -141,7 +141,7 @@ fn friction() -> Vec<Statement> {
             .method(Slot::with_friction)
             .outputs(&["slot/FN"])
             .erratum("two-normal-forces"),
-        mended("L66", "FC is the root of f2² + f3²; the root is lost in our text.", "lost-roots")
+        mended("L66", "FC is the root of f2² + f3²; the root is lost in our copy.", "lost-roots")
             .formulas(&[&slot::ContactForce])
             .law(&slot::ContactForce, "turning the slot about its axis")
             .cases(&slot::ContactForce, &["running"])

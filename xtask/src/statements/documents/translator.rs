@@ -88,7 +88,7 @@ fn friction() -> Vec<Statement> {
             .formulas(&[&translator::TorqueForce])
             .law(&translator::TorqueForce, "reversing the torque")
             .outputs(&["translator/MTORQ"]),
-        mended("L41", "Ftorq is Mtorq over Rr; the quotient is lost in our text.", "lost-quotients")
+        mended("L41", "Ftorq is Mtorq over Rr; the quotient is lost in our copy.", "lost-quotients")
             .formulas(&[&translator::TorqueForce])
             .law(&translator::TorqueForce, "the contact force at its lever")
             .outputs(&["translator/FTORQ"]),
@@ -97,7 +97,7 @@ fn friction() -> Vec<Statement> {
             .cases(&translator::TorqueForce, &["no-radius"])
             .cases(&translator::ContactForce, &["no-radius"])
             .test("translator::a_lever_of_zero_drops_its_moment_and_a_short_one_does_not"),
-        mended("L45", "Fr is the root of f2² + f3²; the root is lost in our text.", "lost-roots")
+        mended("L45", "Fr is the root of f2² + f3²; the root is lost in our copy.", "lost-roots")
             .formulas(&[&translator::RadialForce])
             .law(&translator::RadialForce, "it is the contact force of a SLOT")
             .outputs(&["translator/FR"]),

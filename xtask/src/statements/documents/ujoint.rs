@@ -66,7 +66,7 @@ fn loads() -> Vec<Statement> {
         covered("L26-s2", "The joint has four hinges, at the ends of the cross.").chapter("ujoint.md#ujoint"),
         covered("L26-s3", "The moments in the hinges are computed similarly to those of HINGE.")
             .chapter("ujoint.md#on-a-hinge"),
-        mended("L28", "Fr is the root of f1² + f2² + f3²; the root is lost in our text.", "lost-roots")
+        mended("L28", "Fr is the root of f1² + f2² + f3²; the root is lost in our copy.", "lost-roots")
             .formulas(&[&ujoint::Reaction])
             .law(&ujoint::Reaction, "it is the length of")
             .cases(&ujoint::Reaction, &["pythagoras"])
@@ -92,7 +92,7 @@ fn loads() -> Vec<Statement> {
             .outputs(&["ujoint/MTWISTH", "ujoint/ALPHATWIST"]),
         mended(
             "L39",
-            "It acts on each hinge with the force βtwist Mtwist over La; the quotient is lost in our text.",
+            "It acts on each hinge with the force βtwist Mtwist over La; the quotient is lost in our copy.",
             "lost-quotients",
         )
         .formulas(&[&ujoint::HingeTwist])
@@ -213,7 +213,7 @@ fn contact_moments() -> Vec<Statement> {
         .law(&ujoint::HingeTransverse, "exchanging the axial forces")
         .outputs(&["ujoint/FTOTAL1", "ujoint/FTOTAL3"])
         .erratum("lost-roots"),
-        mended("L80-s1", "A hinge takes Fbend/4; the quotient is lost in our text.", "lost-quotients")
+        mended("L80-s1", "A hinge takes Fbend/4; the quotient is lost in our copy.", "lost-quotients")
             .formulas(&[&ujoint::HingeTransverse])
             .cases(&ujoint::HingeTransverse, &["bending-alone"]),
         mended("L80-s2", "It takes βaxial Faxial of the other axis; βaxial is not defined.", "undefined-axial-factors")
@@ -227,7 +227,7 @@ fn contact_moments() -> Vec<Statement> {
             .outputs(&["ujoint/MTOTAL", "ujoint/FTOTALBEND"])
             .erratum("lost-quotients")
             .erratum("missing-end-moment"),
-        mended("L87-s1", "Mbend = Fbend La/8; the quotient is lost in our text.", "lost-quotients")
+        mended("L87-s1", "Mbend = Fbend La/8; the quotient is lost in our copy.", "lost-quotients")
             .formulas(&[&ujoint::HingeBending])
             .cases(&ujoint::HingeBending, &["force-alone"])
             .outputs(&["ujoint/MBEND"])

@@ -1,4 +1,4 @@
-//! Derivatives by differences: quotients at many steps, extrapolated to the step 0, with an error estimate of each.
+//! Derivatives from differences: quotients at many steps, extrapolated to the step 0, with an error estimate of each.
 
 /// The number of steps, each half of the one before.
 pub(super) const STEPS: usize = 12;

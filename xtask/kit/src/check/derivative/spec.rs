@@ -40,7 +40,8 @@ pub(super) struct Spec {
     /// Degrees of freedom, from 1 on, that are the three components of a rotation vector.
     #[serde(default)]
     rotations: Vec<[usize; 3]>,
-    /// Whether the derivative by a rotation is by a spin that follows it, or by the components of the rotation vector.
+    /// Whether a derivative with respect to a rotation is one with respect to a spin that follows it, or to the components of the rotation
+    /// vector.
     #[serde(default)]
     pub(super) by: Turning,
     /// The size of each input, of which steps are a fraction.
