@@ -63,7 +63,7 @@ pub struct Form {
     pub has_penalties: bool,
 }
 
-/// Inputs, unknowns and forces of both nodes, those of node a first.
+/// The unknowns of both nodes, which are inputs, and the moments conjugate to them; those of node a first.
 pub(super) type OfRotations = [&'static [Field]; 2];
 
 pub(super) const ARMS: &[Field] = &[Field::new("arm_a", &ARM), Field::new("arm_b", &ARM)];

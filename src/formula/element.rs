@@ -166,8 +166,8 @@ impl<D: Scalar, const M: usize, const DOFS: usize> Contribution<D, M, DOFS> {
         self.by_multipliers -= row * by_multipliers.transpose();
     }
 
-    /// The stiffness where the multipliers follow the residuals by these penalties, λ = … − κ g: that with the multipliers held, less
-    /// their derivative times κ times the rows.
+    /// The stiffness where each multiplier changes by −κ times its residual: that with the multipliers held, less the derivative with
+    /// respect to them times κ times the rows.
     pub(crate) fn penalised(&self, penalties: &SVector<D, M>) -> SMatrix<D, DOFS, DOFS> {
         let pressed = SMatrix::from_fn(|row, column| self.rows[(row, column)] * penalties[row]);
         self.stiffness - self.by_multipliers * pressed
