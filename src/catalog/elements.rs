@@ -1,5 +1,7 @@
 //! Elements whose types the compiler does not know.
 
+use super::form::{AnyForm, Form};
+use super::formed::Formed;
 use super::formulas::{count, expect};
 use crate::Error;
 use crate::formula::proof::{self, Case, ProvedElement, Step};
@@ -9,38 +11,24 @@ use crate::toolkit::verify::{
     ElementAudit, ElementFile, ElementSubject, Layout, Options, Subject, audit_element, golden, golden_of,
 };
 
-/// An element whose types of nodes, parameters and state are erased; every [`ProvedElement`] is one by [`Erased`].
-pub trait AnyElement: Send + Sync {
-    /// Its specification.
-    fn spec(&self) -> Spec;
-    /// Its degrees of freedom, forces, residuals, multipliers, parameters and state in order.
-    fn layout(&self) -> Layout;
-    /// Its inputs in order: nodes, multipliers, start, and, with friction, contact and state.
-    fn inputs(&self, rubs: bool) -> &'static [Field];
+/// An element whose types are erased; every [`ProvedElement`] is one by [`Erased`].
+pub trait AnyElement: AnyForm {
     /// Its golden file, computed anew.
     fn golden(&self) -> ElementFile;
     /// Its audit, executed anew.
     fn audit(&self, options: &Options) -> ElementAudit;
-    /// Its cases without or with friction: its own, every kind of invalid input, and this many random ones.
-    fn cases(&self, rubs: bool, random: usize) -> Vec<Case<Vec<f64>>>;
-    /// Its graph, whose results are those of [`value`](Self::value).
+    /// The element in another form; it is kept while the process runs.
     ///
     /// # Errors
-    /// The reason why the element cannot be recorded.
-    fn graph(&self, rubs: bool, extremes: Extremes) -> Result<Graph, NotRecorded>;
-    /// Its results from components of the inputs in order: residuals, rows, forces, stiffness, derivative with respect to the
-    /// multipliers, each matrix row by row, and, with friction, the state after the step.
-    ///
-    /// # Errors
-    /// The input that is not valid, or an overflow; [`Error::Components`] if the number of components is wrong.
-    fn value(&self, components: &[f64], rubs: bool) -> Result<Vec<f64>, Error>;
+    /// What the form needs and the element does not have.
+    fn in_form(&self, form: Form) -> Result<&'static dyn AnyForm, &'static str>;
 }
 
 /// An element with its types erased.
 #[derive(Clone, Copy, Debug)]
 pub struct Erased<E, const M: usize, const DOFS: usize>(pub E);
 
-impl<E: ProvedElement<M, DOFS>, const M: usize, const DOFS: usize> AnyElement for Erased<E, M, DOFS> {
+impl<E: ProvedElement<M, DOFS>, const M: usize, const DOFS: usize> AnyForm for Erased<E, M, DOFS> {
     fn spec(&self) -> Spec {
         E::SPEC
     }
@@ -49,12 +37,6 @@ impl<E: ProvedElement<M, DOFS>, const M: usize, const DOFS: usize> AnyElement fo
     }
     fn inputs(&self, rubs: bool) -> &'static [Field] {
         proof::inputs::<E, M, DOFS>(rubs)
-    }
-    fn golden(&self) -> ElementFile {
-        golden_of(&ElementSubject::of::<E, M, DOFS>())
-    }
-    fn audit(&self, options: &Options) -> ElementAudit {
-        audit_element::<E, M, DOFS>(options)
     }
     fn cases(&self, rubs: bool, random: usize) -> Vec<Case<Vec<f64>>> {
         let of = if rubs { Subject::of_element::<E, M, DOFS, true> } else { Subject::of_element::<E, M, DOFS, false> };
@@ -66,5 +48,18 @@ impl<E: ProvedElement<M, DOFS>, const M: usize, const DOFS: usize> AnyElement fo
     fn value(&self, components: &[f64], rubs: bool) -> Result<Vec<f64>, Error> {
         expect(count(self.inputs(rubs)), components.len())?;
         Step::<E, f64, M, DOFS>::of(components, rubs).checked_results()
+    }
+}
+
+impl<E: ProvedElement<M, DOFS>, const M: usize, const DOFS: usize> AnyElement for Erased<E, M, DOFS> {
+    fn golden(&self) -> ElementFile {
+        golden_of(&ElementSubject::of::<E, M, DOFS>())
+    }
+    fn audit(&self, options: &Options) -> ElementAudit {
+        audit_element::<E, M, DOFS>(options)
+    }
+    fn in_form(&self, form: Form) -> Result<&'static dyn AnyForm, &'static str> {
+        // One leak per form that is asked for.
+        Ok(Box::leak(Box::new(Formed::<E, M, DOFS>::new(Box::new(*self), form)?)))
     }
 }

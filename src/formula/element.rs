@@ -166,6 +166,13 @@ impl<D: Scalar, const M: usize, const DOFS: usize> Contribution<D, M, DOFS> {
         self.by_multipliers -= row * by_multipliers.transpose();
     }
 
+    /// The stiffness where each multiplier changes by −κ times its residual: that with the multipliers held, less the derivative with
+    /// respect to them times κ times the rows.
+    pub(crate) fn penalised(&self, penalties: &SVector<D, M>) -> SMatrix<D, DOFS, DOFS> {
+        let pressed = SMatrix::from_fn(|row, column| self.rows[(row, column)] * penalties[row]);
+        self.stiffness - self.by_multipliers * pressed
+    }
+
     /// All numbers in order: residuals, rows, forces, stiffness and derivative with respect to so many multipliers,
     /// matrices row by row.
     pub(crate) fn for_each(&self, multipliers: usize, visit: &mut impl FnMut(D)) {
@@ -238,12 +245,20 @@ impl<E: Element<M, DOFS>, D: Scalar, const M: usize, const DOFS: usize> Paramete
         before: &E::State<D>,
     ) -> (Penalised<D, M, DOFS>, E::State<D>) {
         const { assert!(!E::MULTIPLIERS.is_empty(), "the element holds no condition") };
-        let (held, _) = self.contribution(nodes, multipliers, before);
-        let multipliers = multipliers - penalties.component_mul(&held.residuals);
+        let multipliers = self.pressed(nodes, multipliers, penalties);
         let (found, after) = self.contribution(nodes, &multipliers, before);
-        let pressed = SMatrix::from_fn(|row, column| held.rows[(row, column)] * penalties[row]);
-        let stiffness = found.stiffness - found.by_multipliers * pressed;
-        (Penalised { multipliers, forces: found.forces, stiffness }, after)
+        (Penalised { multipliers, forces: found.forces, stiffness: found.penalised(penalties) }, after)
+    }
+
+    /// The multipliers λ − κ g; friction has no influence on the residuals.
+    pub(crate) fn pressed(
+        &self,
+        nodes: &E::Nodes<D>,
+        multipliers: &SVector<D, M>,
+        penalties: &SVector<D, M>,
+    ) -> SVector<D, M> {
+        let (held, _) = self.smooth().contribution(nodes, multipliers, &E::State::filled(D::zero()));
+        multipliers - penalties.component_mul(&held.residuals)
     }
 }
 

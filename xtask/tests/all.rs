@@ -23,3 +23,4 @@ mod schema;
 mod shells;
 mod tidy;
 mod user_mpc;
+mod vuel;

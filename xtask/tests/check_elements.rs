@@ -144,23 +144,21 @@ fn lines_of_a_shell_are_counted() {
 fn exported_shells_are_short_and_compile_without_a_warning() {
     let bench = Bench::new();
     let out = bench.path("");
-    std::fs::write(bench.path("ABA_PARAM.INC"), "      implicit double precision (a-h, o-z)\n").unwrap();
-    let export = |arguments: &[&str]| {
-        bench.run(&[&["export", "--out", out.to_str().unwrap(), "--shell"], arguments].concat()).exits(0);
+    for include in ["ABA_PARAM.INC", "vaba_param.inc"] {
+        std::fs::write(bench.path(include), "      implicit double precision (a-h, o-z)\n").unwrap();
+    }
+    let written = |arguments: &[&str]| {
+        let ran = bench.run(&[&["export", "--out", out.to_str().unwrap(), "--shell"], arguments].concat()).exits(0);
+        let path = ran.stdout.trim_end().rsplit_once('/').unwrap().1.to_owned();
+        path.rsplit_once('.').unwrap().0.to_owned()
     };
-    let elements: Vec<_> = elements().collect();
-    for element in &elements {
-        export(&["uel", "--element", element]);
-        export(&["uel", "--element", element, "--fixed"]);
-    }
-    for shell in ["fric", "mpc", "umpc-user"] {
-        export(&[shell]);
-        export(&[shell, "--fixed"]);
-    }
-    let by_hand = ["fric", "mpc", "umpc_user"].map(str::to_owned);
-    let shells = elements.iter().map(|element| format!("uel_{element}")).chain(by_hand);
-    for shell in shells {
-        for (form, file) in [("-ffree-form", format!("{shell}.f90")), ("-ffixed-form", format!("{shell}.f"))] {
+    let elements = elements().flat_map(|element| ["uel", "vuel"].map(|shell| vec![shell, "--element", element]));
+    let with_penalties = vec!["uel", "--element", "hinge", "--penalty"];
+    let by_hand = ["fric", "mpc", "umpc-user"].map(|shell| vec![shell]);
+    for shell in elements.chain([with_penalties]).chain(by_hand) {
+        let name = written(&shell);
+        assert_eq!(name, written(&[&shell[..], &["--fixed"]].concat()));
+        for (form, file) in [("-ffree-form", format!("{name}.f90")), ("-ffixed-form", format!("{name}.f"))] {
             let lengths = lengths(&std::fs::read_to_string(bench.path(&file)).unwrap());
             let is_short = lengths.iter().zip(LONGEST).all(|(length, longest)| (1..=longest).contains(length));
             assert!(is_short, "{file}: {lengths:?} bytes, columns, and lines of a routine");
@@ -208,7 +206,11 @@ fn a_shell_is_of_an_element_that_can_be_exported() {
     let export =
         |arguments: &[&str]| bench.run(&[&["export", "--out", out.to_str().unwrap(), "--shell"], arguments].concat());
     export(&["uel"]).bad_usage("--shell uel: an element, by --element slot|slot_2d|");
-    export(&["fric", "--element", "slot"]).bad_usage("--element: elements are routines UEL");
+    export(&["vuel"]).bad_usage("--shell vuel: an element, by --element slot|slot_2d|");
+    export(&["fric", "--element", "slot"]).bad_usage("--element: elements are routines UEL or VUEL");
+    export(&["uel", "--element", "slot", "--arms"]).bad_usage("cannot be used with");
+    export(&["uel", "--element", "isl21a_linear", "--penalty"])
+        .bad_usage("--element isl21a_linear: it has no multipliers that penalties could replace");
 }
 
 /// Mistakes in the routine around SLOT, with what is said.

@@ -12,8 +12,16 @@ fn what_is_exported_has_every_bit() {
         if !is_here(program) {
             continue;
         }
-        // The element calls the same part for each of its slave nodes.
-        for wanted in [["--filter", "slot.*"], ["--element", "isl21a_linear"]] {
+        let universal = ["--element", "universal"];
+        let all_together = [&universal[..], &["--arms", "--penalty", "--unknowns", "rotation-vectors"]].concat();
+        // An element with slave nodes calls the same part for each of them.
+        for wanted in [
+            vec!["--filter", "slot.*"],
+            vec!["--element", "isl21a_linear"],
+            vec!["--element", "slot", "--penalty"],
+            [&universal[..], &["--unknowns", "euler-parameters"]].concat(),
+            all_together,
+        ] {
             let bench = Bench::new();
             let out = bench.path("exported");
             let folder = ["--out", out.to_str().unwrap()];

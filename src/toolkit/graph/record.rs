@@ -87,13 +87,28 @@ pub fn record_element<E: ProvedElement<M, DOFS>, const M: usize, const DOFS: usi
     rubs: bool,
     extremes: Extremes,
 ) -> Result<Graph, NotRecorded> {
-    let number: usize = proof::inputs::<E, M, DOFS>(rubs).iter().map(Field::len).sum();
-    let step = || Step::<E, Traced, M, DOFS>::of(&(0..number).map(Traced::input).collect::<Vec<_>>(), rubs);
-    let validate = || {
-        let Step { nodes, parameters, .. } = step();
+    let validate = |inputs: &[Traced]| {
+        let Step { nodes, parameters, .. } = Step::<E, Traced, M, DOFS>::of(inputs, rubs);
         E::validate(&nodes, &parameters)
     };
-    Ok(written(extremes, &validate, &|| [step().results(), Vec::new()])?.without_zero_terms())
+    let results = |inputs: &[Traced]| Step::<E, Traced, M, DOFS>::of(inputs, rubs).results();
+    record_step(proof::inputs::<E, M, DOFS>(rubs), extremes, &validate, &results)
+}
+
+/// The graph of a function of these inputs that has the results of an element.
+///
+/// # Errors
+/// The reason why it cannot be recorded.
+pub(crate) fn record_step(
+    inputs: &[Field],
+    extremes: Extremes,
+    validate: &dyn Fn(&[Traced]) -> Result<(), Error>,
+    results: &dyn Fn(&[Traced]) -> Vec<Traced>,
+) -> Result<Graph, NotRecorded> {
+    let number: usize = inputs.iter().map(Field::len).sum();
+    let inputs = || (0..number).map(Traced::input).collect::<Vec<_>>();
+    let all = || [results(&inputs()), Vec::new()];
+    Ok(written(extremes, &|| validate(&inputs()), &all)?.without_zero_terms())
 }
 
 /// The inputs of a formula.

@@ -74,7 +74,7 @@ pub(super) fn cases_with(subject: &Subject, random: usize, valid: Option<&[f64]>
     cases.extend(chosen.map(|(inputs, k)| Case::new(Flag::Random, format!("random-{k}"), "", inputs)));
     cases.extend(subject.worst.iter().cloned());
     let drawn = || Sampler::for_formula(subject.spec.id, SEED).components(subject);
-    cases.extend(out_of_domain(subject, &valid.map_or_else(drawn, <[f64]>::to_vec)));
+    cases.extend(out_of_domain(subject.inputs, &valid.map_or_else(drawn, <[f64]>::to_vec)));
     cases.extend((subject.invalid_cases)());
     cases
 }
@@ -88,10 +88,10 @@ pub(crate) fn cases_drawn(subject: &Subject, random: usize) -> Vec<Case<Vec<f64>
 }
 
 /// Every input in turn not finite, and outside its domain.
-fn out_of_domain(subject: &Subject, valid: &[f64]) -> Vec<Case<Vec<f64>>> {
+pub(crate) fn out_of_domain(inputs: &[Field], valid: &[f64]) -> Vec<Case<Vec<f64>>> {
     let mut invalid = Vec::new();
     let mut end = 0;
-    for field in subject.inputs {
+    for field in inputs {
         end += field.len();
         for (what, value) in bad_values(field.quantity.domain) {
             let mut components = valid.to_vec();
@@ -193,7 +193,7 @@ mod tests {
     fn every_input_is_tried_outside_its_domain() {
         let subject = Subject::of::<crate::connector::slot::Constraint>();
         let valid = [0.5; 15];
-        let invalid = out_of_domain(&subject, &valid[..subject.inputs.iter().map(Field::len).sum()]);
+        let invalid = out_of_domain(subject.inputs, &valid[..subject.inputs.iter().map(Field::len).sum()]);
         assert_eq!(invalid.len(), 3 * subject.inputs.len());
         let place = |case: &Case<Vec<f64>>| case.inputs.iter().position(|x| !x.is_finite());
         let places: Vec<_> = invalid.iter().step_by(3).filter_map(place).collect();
@@ -210,7 +210,7 @@ mod tests {
         let with = |flag| all.iter().filter(|case| case.flag == flag).count();
         assert_eq!(
             (with(Flag::Random), with(Flag::Invalid)),
-            (LEAST_CASES - own.len(), out_of_domain(&subject, &own[0].inputs).len())
+            (LEAST_CASES - own.len(), out_of_domain(subject.inputs, &own[0].inputs).len())
         );
         assert_eq!(all[own.len()].id, "random-1");
         let stop = Subject::of::<Stop>();

@@ -65,7 +65,8 @@ impl Sampler {
         panic!("{}: {DRAWS} points drawn from the domains were all refused; narrow the domains", subject.spec.id)
     }
 
-    fn fields(&mut self, fields: &[Field]) -> Vec<f64> {
+    /// Components of these fields, each from its domain.
+    pub(crate) fn fields(&mut self, fields: &[Field]) -> Vec<f64> {
         let plane = fields.iter().any(|field| field.quantity.shape == Shape::Vec2);
         let nodes = nodes(fields);
         let triads: Vec<_> = nodes.iter().map(|_| self.triad(plane)).collect();

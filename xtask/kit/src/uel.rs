@@ -1,6 +1,6 @@
 //! The arguments of a UEL that is an element of the catalog.
 
-use jointproof::catalog::AnyElement;
+use jointproof::catalog::AnyForm;
 use jointproof::formula::Field;
 use jointproof::toolkit::verify::Layout;
 use std::collections::BTreeMap;
@@ -23,7 +23,7 @@ pub(crate) fn len(fields: &[Field]) -> usize {
 }
 
 impl Interface {
-    pub(crate) fn new(element: &dyn AnyElement) -> Self {
+    pub(crate) fn new(element: &dyn AnyForm) -> Self {
         let layout = element.layout();
         let (mut triads, mut positions): (BTreeMap<String, Vec<usize>>, _) = (BTreeMap::new(), Vec::new());
         let (mut at, mut mcrd) = (0, 3);
@@ -52,6 +52,11 @@ impl Interface {
     /// The number of properties; an array has one at least.
     pub(crate) fn nprops(&self) -> usize {
         (self.orientations() + len(self.layout.start) + len(self.layout.contact)).max(1)
+    }
+
+    /// The number of masses that a VUEL needs: of translations, and of rotations if it has any.
+    pub(crate) fn masses(&self) -> usize {
+        1 + usize::from(self.layout.unknowns.iter().any(is_rotation))
     }
 
     /// The number of states; an array has one at least.

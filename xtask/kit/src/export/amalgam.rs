@@ -8,7 +8,7 @@ use super::numpy;
 use super::recorded::{Recorded, Subject, record};
 use super::shell::{self, File, Shell, in_order};
 use crate::project::Project;
-use jointproof::catalog::AnyElement;
+use jointproof::catalog::AnyForm;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
 /// A file of a formula or an element.
@@ -29,7 +29,7 @@ pub(crate) fn downloads(project: &Project) -> Vec<Download> {
     let elements = project.elements().iter().flat_map(|&element| Subject::forms(element));
     let subjects: Vec<_> = formulas.chain(elements).collect();
     let (recorded, _) = record(&subjects, Some(project));
-    let elements = project.elements().iter().map(|element| (Shell::Uel, Some(element)));
+    let elements = project.elements().iter().map(|&element| (Shell::Uel, Some(element as &dyn AnyForm)));
     let shells: Vec<_> =
         elements.chain([Shell::Fric, Shell::Mpc, Shell::UmpcUser].map(|shell| (shell, None))).collect();
     let routines = shells.par_iter().flat_map_iter(|&(shell, element)| routine(project, shell, element));
@@ -37,8 +37,8 @@ pub(crate) fn downloads(project: &Project) -> Vec<Download> {
 }
 
 /// A user routine in both forms of Fortran; none if it cannot be exported.
-fn routine(project: &Project, shell: Shell, element: Option<&&'static dyn AnyElement>) -> Vec<Download> {
-    let elements: Vec<_> = element.copied().into_iter().collect();
+fn routine(project: &Project, shell: Shell, element: Option<&'static dyn AnyForm>) -> Vec<Download> {
+    let elements: Vec<_> = element.into_iter().collect();
     let download = |is_fixed| {
         let File { of, name, text } = shell::file(project, shell, &elements, is_fixed).ok()?;
         let label = format!("{}{}", shell.routine(), if is_fixed { " in fixed form" } else { "" });
@@ -167,7 +167,7 @@ mod tests {
         let project = &Project::new("downloads", env!("CARGO_MANIFEST_DIR"), CATALOG).in_folder("../..");
         let element = ELEMENTS.iter().find(|element| element.spec().id == "isl22a_exponential").unwrap();
         let files = element_of("isl22a_exponential").iter().flat_map(of).collect::<Vec<_>>();
-        let all: Vec<_> = files.into_iter().chain(routine(project, Shell::Uel, Some(element))).collect();
+        let all: Vec<_> = files.into_iter().chain(routine(project, Shell::Uel, Some(*element))).collect();
         assert_eq!(all.len(), 10);
         for download in all {
             assert!((50_000..=400_000).contains(&download.text.len()), "{}: {}", download.name, download.text.len());

@@ -5,6 +5,7 @@ use super::points::{Expected, Point};
 use super::recorded::{Function, Output, Recorded, Shape, Subject};
 use crate::console::{count as counted, say};
 use anyhow::{Context, ensure};
+use jointproof::catalog::Rotations;
 use jointproof::formula::Field;
 use jointproof::toolkit::graph::{Binary, Op};
 use std::collections::BTreeMap;
@@ -123,8 +124,9 @@ fn compare(
                 }
                 Expected::Results(results) => results,
             };
-            for (k, (&found, &expected)) in results.iter().zip(expected).enumerate() {
-                judged.number(toolchain, (one, point), k, [found, expected]);
+            let sizes = outputs.iter().flat_map(|output| sizes(one, output, expected));
+            for (k, ((&found, &expected), size)) in results.iter().zip(expected).zip(sizes).enumerate() {
+                judged.number(toolchain, (one, point), k, [found, expected], size);
             }
         }
     }
@@ -138,15 +140,16 @@ impl Judged {
         (one, point): (&Recorded, &Point),
         k: usize,
         [found, expected]: [f64; 2],
+        size: f64,
     ) {
         self.compared += 1;
         if found.to_bits() == expected.to_bits() {
             return;
         }
-        if is_near(one, toolchain.epsilons, [found, expected]) {
+        if is_near(one, toolchain.epsilons, [found, expected], size) {
             let (count, largest) = self.near.entry(one.subject.to_string()).or_default();
             *count += 1;
-            *largest = largest.max((found - expected).abs() / (f64::EPSILON * expected.abs().max(1.0)));
+            *largest = largest.max((found - expected).abs() / (f64::EPSILON * size.max(1.0)));
             return;
         }
         self.off(one, point, &format!("{}: {found:e}, expected {expected:e}", entry(one, k)));
@@ -173,9 +176,22 @@ fn refusal(code: f64) -> String {
     format!("refuses input {code}, which is valid")
 }
 
-/// Whether a number is within the tolerance for results computed with a function of the language, such as the sine.
-pub(super) fn is_near(one: &Recorded, epsilons: f64, [found, expected]: [f64; 2]) -> bool {
-    (found - expected).abs() <= f64::EPSILON * epsilons * (1.0 + expected.abs()) && has_functions(one)
+/// The sizes by which the numbers of an output are judged: their own, and that of the largest where the rows or the matrix of an
+/// element were multiplied by the matrices of other unknowns, since then terms of that size cancel.
+fn sizes(one: &Recorded, output: &Output, expected: &[f64]) -> Vec<f64> {
+    let own = expected[output.first..output.first + output.len()].iter().map(|x| x.abs());
+    match one.subject {
+        Subject::Element(element, _) if element.form().rotations != Rotations::Spins => {
+            vec![own.fold(0.0, f64::max); output.len()]
+        }
+        _ => own.collect(),
+    }
+}
+
+/// Whether a number, among others of this size, is within the tolerance for results computed with a function of the language, such
+/// as the sine.
+pub(super) fn is_near(one: &Recorded, epsilons: f64, [found, expected]: [f64; 2], size: f64) -> bool {
+    (found - expected).abs() <= f64::EPSILON * epsilons * (1.0 + size) && has_functions(one)
 }
 
 /// Whether it calls functions that languages round differently.
@@ -221,10 +237,10 @@ mod tests {
     use super::super::javascript::JavaScript;
     use super::super::numpy::NumPy;
     use super::super::points;
-    use super::super::recorded::{element_of, formulas};
+    use super::super::recorded::{element_of, formulas, record};
     use super::*;
     use crate::files;
-    use jointproof::catalog::find;
+    use jointproof::catalog::{ELEMENTS, Form, find};
     use jointproof::toolkit::graph::{Instead, Unary};
 
     /// The report of the check for an export in which a text of a file is replaced by another.
@@ -285,7 +301,7 @@ mod tests {
         let mut judged =
             Judged { toolchain: "node", compared: 0, differ: 0, near: BTreeMap::new(), refused: 0, worst: None };
         for found in [1.0, 1.0 + f64::EPSILON, 1.0 - f64::EPSILON, 1.0 + 16.0 * f64::EPSILON] {
-            judged.number(&toolchain, (&recorded[0], &points[0][0]), 0, [found, 1.0]);
+            judged.number(&toolchain, (&recorded[0], &points[0][0]), 0, [found, 1.0], 1.0);
         }
         let said = judged.to_string();
         assert!(
@@ -313,7 +329,7 @@ mod tests {
         let toolchain = Toolchain { name: "node", commands: Vec::new(), epsilons: 4.0 };
         let largest = |found: f64, expected: f64| {
             let mut judged = nothing();
-            judged.number(&toolchain, (&recorded[0], &points[0][0]), 0, [found, expected]);
+            judged.number(&toolchain, (&recorded[0], &points[0][0]), 0, [found, expected], expected.abs());
             judged.near.into_values().next()
         };
         let unit = f64::EPSILON;
@@ -393,6 +409,25 @@ mod tests {
     }
 
     #[test]
+    fn a_penalty_of_the_other_sign_is_found() {
+        let slot = ELEMENTS.iter().find(|element| element.spec().id == "slot_2d").unwrap();
+        let form = Form { has_penalties: true, ..Form::default() };
+        let (recorded, _) = record(&[Subject::Element(slot.in_form(form).unwrap(), false)], None);
+        let points = points::all(&recorded, 20);
+        let folder = tempfile::tempdir().unwrap();
+        let well = |sign: &str| {
+            for (name, text) in C.files(&recorded) {
+                let text = text
+                    .replace("kappa * ", &format!("{sign}kappa * "))
+                    .replace(" * kappa", &format!(" * {sign}kappa"));
+                files::write(&folder.path().join(name), &text).unwrap();
+            }
+            all(&C, folder.path(), &recorded, &points).unwrap().iter().all(Judged::is_well)
+        };
+        assert!(well("") && !well("-"));
+    }
+
+    #[test]
     fn another_refusal_is_named() {
         let said = judged("slider.line", "jp_slider_line.c", "return 2 + (int)", "return 1 + (int)");
         assert!(
@@ -405,7 +440,7 @@ mod tests {
     fn functions_of_a_language_may_be_off_in_units_of_what_is_larger_1_or_the_number() {
         let is_near = |id, found: f64, expected| {
             let recorded = formulas(&[id]);
-            is_near(&recorded[0], 4.0, [found, expected])
+            is_near(&recorded[0], 4.0, [found, expected], expected.abs())
         };
         let calling = "interaction.pressure_exponential";
         assert!(is_near(calling, 1.0 + 8.0 * f64::EPSILON, 1.0) && !is_near(calling, 1.0 + 9.0 * f64::EPSILON, 1.0));

@@ -27,6 +27,7 @@ use crate::project::Project;
 use crate::selection::{self, Selection};
 pub(crate) use amalgam::{Download, downloads};
 use anyhow::ensure;
+use jointproof::catalog::{AnyForm, Form, Rotations};
 use language::Language;
 use recorded::{Recorded, Subject, record};
 pub(crate) use script::{Script, runtime_script, script};
@@ -44,8 +45,11 @@ use std::path::PathBuf;
   {command} export --lang js --out jp --check             and compare every bit
   {command} export --lang c --out jp --speed              and time it, compared with Rust
   {command} export --lang c --out jp --element slot       an element
+  {command} export --lang c --out jp --element slot --penalty  without multipliers
+  {command} export --lang c --out jp --element slot --arms --unknowns euler-parameters
   {command} export --shell uel --element slot --out jp    an element for Abaqus, in one file
   {command} export --shell uel --element slot --element hinge --fixed --out jp
+  {command} export --shell vuel --element slot --out jp   the same for Abaqus/Explicit
   {command} export --shell umpc-user --out jp             SLIDER for CalculiX")]
 pub(crate) struct Arguments {
     /// The language
@@ -57,6 +61,8 @@ pub(crate) struct Arguments {
     /// An element, by its identifier, without and with friction; in a shell, several are types U1, U2 and so on
     #[arg(long, value_name = "ID", conflicts_with = "filter")]
     element: Vec<String>,
+    #[command(flatten)]
+    switches: Switches,
     /// The routine in fixed form
     #[arg(long, requires = "shell")]
     fixed: bool,
@@ -88,6 +94,63 @@ enum Name {
     FpCore,
 }
 
+/// The form of the elements.
+#[derive(clap::Args)]
+struct Switches {
+    /// The element with penalties times its residuals instead of multipliers
+    #[arg(long, requires = "element")]
+    penalty: bool,
+    /// The unknowns of the rotations of its nodes
+    #[arg(
+        long,
+        value_name = "WHICH",
+        value_enum,
+        requires = "element",
+        conflicts_with = "shell",
+        default_value = "spins"
+    )]
+    unknowns: Unknowns,
+    /// The element at the ends of rigid arms from its nodes
+    #[arg(long, requires = "element", conflicts_with = "shell")]
+    arms: bool,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum Unknowns {
+    Spins,
+    RotationVectors,
+    EulerParameters,
+}
+
+impl Switches {
+    fn form(&self) -> Form {
+        let rotations = match self.unknowns {
+            Unknowns::Spins => Rotations::Spins,
+            Unknowns::RotationVectors => Rotations::Vectors,
+            Unknowns::EulerParameters => Rotations::EulerParameters,
+        };
+        Form { has_arms: self.arms, rotations, has_penalties: self.penalty }
+    }
+}
+
+impl Arguments {
+    /// The elements asked for, in their form.
+    fn elements(&self, project: &Project) -> Result<Vec<&'static dyn AnyForm>, Usage> {
+        let in_form = |id: &String| {
+            let element = selection::element(project, id)?;
+            let has_multipliers = !element.layout().multipliers.is_empty();
+            let is_explicit = self.shell == Some(shell::Shell::Vuel);
+            let mut form = self.switches.form();
+            form.has_penalties |= is_explicit && has_multipliers;
+            if form == Form::default() {
+                return Ok(element as &dyn AnyForm);
+            }
+            element.in_form(form).map_err(|why| Usage(format!("--element {id}: {why}")))
+        };
+        self.element.iter().map(in_form).collect()
+    }
+}
+
 impl Name {
     fn language(self) -> &'static dyn Language {
         match self {
@@ -101,18 +164,21 @@ impl Name {
 }
 
 pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
-    let elements = arguments.element.iter().map(|id| selection::element(project, id));
-    let elements: Vec<_> = elements.collect::<Result<_, _>>()?;
+    let elements = arguments.elements(project)?;
     if let Some(shell) = arguments.shell {
-        if shell != shell::Shell::Uel && !elements.is_empty() {
-            return Err(Usage("--element: elements are routines UEL: --shell uel".into()).into());
+        if !shell.is_element() && !elements.is_empty() {
+            return Err(Usage("--element: elements are routines UEL or VUEL: --shell uel".into()).into());
         }
         print(&shell::write(project, shell, &elements, arguments.fixed, &arguments.out)?)?;
         return Ok(verdict(true));
     }
     let Some(lang) = arguments.lang else { return Ok(verdict(true)) };
-    let (formulas, elements) =
-        if elements.is_empty() { arguments.selection.formulas_and_elements(project)? } else { (Vec::new(), elements) };
+    let (formulas, elements) = if elements.is_empty() {
+        let (formulas, elements) = arguments.selection.formulas_and_elements(project)?;
+        (formulas, elements.into_iter().map(|element| element as &dyn AnyForm).collect())
+    } else {
+        (Vec::new(), elements)
+    };
     let formulas = formulas.into_iter().map(Subject::Formula);
     let subjects: Vec<_> = formulas.chain(elements.into_iter().flat_map(Subject::forms)).collect();
     let recorded = recorded_in(lang.language(), project, &subjects);

@@ -37,7 +37,7 @@ pub(super) fn record(subjects: &[Subject], project: Option<&Project>) -> (Vec<Re
     let (known, refused): (Vec<_>, Vec<_>) = subjects.par_iter().partition_map(of);
     let names: Vec<_> = known.iter().map(|one| names::of(one, &known)).collect();
     let recorded = known.into_iter().zip(names).map(|((subject, graph), names)| {
-        let checksum = project.and_then(|project| checksum(&project.golden().join(subject.golden())));
+        let checksum = project.and_then(|project| checksum(&project.golden().join(subject.golden()?)));
         let repeated = match subject {
             Subject::Formula(_) => None,
             Subject::Element(element, rubs) => Repeated::of(&graph, &element.layout(), element.inputs(rubs)),
@@ -140,7 +140,7 @@ pub(super) fn stem(one: &Recorded) -> String {
 
 /// The comment at the head of a file, line by line.
 pub(super) fn description(one: &Recorded) -> Vec<String> {
-    let (spec, subject) = (one.subject.spec(), one.subject);
+    let (spec, subject, golden) = (one.subject.spec(), one.subject, one.subject.golden());
     let mut lines = match subject {
         Subject::Formula(_) => vec![format!("{}: {}", spec.id, spec.title)],
         Subject::Element(_, rubs) => {
@@ -158,16 +158,21 @@ pub(super) fn description(one: &Recorded) -> Vec<String> {
         Subject::Element(element, rubs) => {
             lines.extend(element.inputs(rubs).iter().map(|field| described("in ", field)));
             lines.extend(element::described(&element.layout(), rubs));
+            lines.extend(element.form().remarks().into_iter().map(str::to_owned));
         }
     }
     lines.push(String::new());
     // Compilers of Fortran ask for ASCII.
     let accuracy = one.accuracy.replace('η', "eta").replace('≤', "<=");
-    lines.push(format!("{accuracy}; in units of 2^-53, where inputs are 0 or {} in size", spec.sizes()));
+    lines.push(match golden {
+        Some(_) => format!("{accuracy}; in units of 2^-53, where inputs are 0 or {} in size", spec.sizes()),
+        None => accuracy,
+    });
     if let Subject::Formula(formula) = subject {
         lines.extend(formula.kinks().iter().map(|kink| format!("kink: {}", kink.condition)));
     }
-    lines.push(format!("Golden cases: golden/{} of jointproof {}", subject.golden(), env!("CARGO_PKG_VERSION")));
+    let version = env!("CARGO_PKG_VERSION");
+    lines.extend(golden.map(|path| format!("Golden cases: golden/{path} of jointproof {version}")));
     lines.extend(one.checksum.iter().map(|checksum| format!("SHA-256 {checksum}")));
     lines.push("Printed by jointproof; free of conditions (CC0-1.0).".into());
     lines.iter().flat_map(|line| wrapped(line)).collect()

@@ -42,7 +42,7 @@ impl Script {
 
     /// Whether a number agrees with Rust's within the tolerance for functions of the language.
     pub(crate) fn is_near(&self, found: f64, expected: f64) -> bool {
-        is_near(&self.0, EPSILONS, [found, expected])
+        is_near(&self.0, EPSILONS, [found, expected], expected.abs())
     }
 
     /// The name of a component of the value, or, after these, of an entry of the Jacobian.

@@ -1,7 +1,7 @@
 //! `export --shell`: a user routine for a finite-element program in one file, with the exported functions that it calls.
 //!
-//! FRIC, MPC and `umpc_user` are written by hand around formulas. An element is `uel.f90` around its recorded functions: from its fields follow
-//! the layout of its properties, its state and its multipliers, and the calls.
+//! FRIC, MPC and `umpc_user` are written by hand around formulas. An element is `uel.f90` or `vuel.f90` around its recorded functions: from
+//! its fields follow the layout of its properties, its state and its multipliers, and the calls.
 
 mod fixed;
 mod head;
@@ -16,8 +16,10 @@ use crate::project::Project;
 use crate::template::filled;
 use crate::uel::{Interface, is_position, is_rotation, len};
 use anyhow::Context;
-use jointproof::catalog::AnyElement;
+use jointproof::catalog::{AnyForm, Form};
 use jointproof::formula::Field;
+use jointproof::toolkit::verify::Layout;
+use std::ops::Range;
 use std::path::Path;
 
 /// A routine to take away.
@@ -25,6 +27,8 @@ use std::path::Path;
 pub(super) enum Shell {
     /// A user element of Abaqus/Standard, for each --element: with multipliers, and friction if it has any
     Uel,
+    /// A user element of Abaqus/Explicit, for each --element: with penalties instead of multipliers, and friction if it has any
+    Vuel,
     /// A friction model of Abaqus: Coulomb's, in one direction or two
     Fric,
     /// A multi-point constraint of Abaqus: SLIDER
@@ -38,10 +42,15 @@ impl Shell {
     pub(super) fn routine(self) -> &'static str {
         match self {
             Self::Uel => "UEL",
+            Self::Vuel => "VUEL",
             Self::Fric => "FRIC",
             Self::Mpc => "MPC",
             Self::UmpcUser => "umpc_user",
         }
+    }
+
+    pub(super) fn is_element(self) -> bool {
+        matches!(self, Self::Uel | Self::Vuel)
     }
 }
 
@@ -64,7 +73,7 @@ struct Routine {
 pub(super) fn write(
     project: &Project,
     shell: Shell,
-    elements: &[&'static dyn AnyElement],
+    elements: &[&'static dyn AnyForm],
     is_fixed: bool,
     folder: &Path,
 ) -> anyhow::Result<String> {
@@ -89,11 +98,11 @@ pub(super) struct File {
 pub(super) fn file(
     project: &Project,
     shell: Shell,
-    elements: &[&'static dyn AnyElement],
+    elements: &[&'static dyn AnyForm],
     is_fixed: bool,
 ) -> anyhow::Result<File> {
     let Routine { of, name, head, text, modules } = match shell {
-        Shell::Uel => uel(project, elements)?,
+        Shell::Uel | Shell::Vuel => user_elements(project, shell, elements)?,
         Shell::Fric => by_hand(project, "fric", include_str!("shell/fric.f90"))?,
         Shell::Mpc => by_hand(project, "mpc", include_str!("shell/mpc.f90"))?,
         Shell::UmpcUser => by_hand(project, "umpc_user", include_str!("shell/umpc_user.f90"))?,
@@ -132,38 +141,52 @@ fn by_hand(project: &Project, name: &str, text: &str) -> anyhow::Result<Routine>
 }
 
 /// Elements in one file, by the numbers of their types.
-fn uel(project: &Project, elements: &[&'static dyn AnyElement]) -> anyhow::Result<Routine> {
+fn user_elements(project: &Project, shell: Shell, elements: &[&'static dyn AnyForm]) -> anyhow::Result<Routine> {
+    let routine = shell.routine().to_lowercase();
     if elements.is_empty() {
         let ids: Vec<_> = project.elements().iter().map(|element| element.spec().id).collect();
-        return Err(Usage(format!("--shell uel: an element, by --element {}", ids.join("|"))).into());
+        return Err(Usage(format!("--shell {routine}: an element, by --element {}", ids.join("|"))).into());
     }
-    let ids: Vec<_> = elements.iter().map(|element| element.spec().id).collect();
+    let (template, arguments, stop) = if shell == Shell::Vuel {
+        let arguments = "lflags(3), rhs(kblock, :), amass(kblock, :, :), dtimestable(kblock), svars(kblock, :), \
+                         energy(kblock, 3), props, transpose(coords(kblock, :, :)), mcrd, u(kblock, :), is_well";
+        (include_str!("shell/vuel_call.f90"), arguments, "call xplb_exit")
+    } else {
+        let arguments = "rhs, amatrx, svars, ndofel, props, coords, mcrd, u, lflags, mlvarx, pnewdt";
+        (include_str!("shell/uel_call.f90"), arguments, "call xit")
+    };
+    let names: Vec<_> = elements.iter().map(|element| element.name()).collect();
     let (mut head, mut all) = (String::new(), Vec::new());
     for (&element, number) in elements.iter().zip(1..) {
         let (recorded, refused) = record(&Subject::forms(element), Some(project));
         if let Some((subject, why)) = refused.first() {
             return Err(Usage(format!("--element {}: it cannot be exported, since {why}", subject.spec().id)).into());
         }
-        head += &head::of(element, number);
+        head += &head::of(element, number, shell == Shell::Vuel);
         all.extend(recorded.iter().flat_map(modules));
-        all.push(module(element, &recorded));
+        all.push(module(shell, element, &recorded));
     }
-    let uses: Vec<_> = ids.iter().map(|id| format!("use jp_uel_{id}, only: uel_{id}")).collect();
-    let call =
-        |id: &str| format!("call uel_{id}(rhs, amatrx, svars, ndofel, props, coords, mcrd, u, lflags, mlvarx, pnewdt)");
-    let calls = if let [id] = ids[..] {
-        call(id)
+    let uses: Vec<_> = names.iter().map(|name| format!("use jp_{routine}_{name}, only: {routine}_{name}")).collect();
+    let call = |name: &String| format!("call {routine}_{name}({arguments})");
+    let calls = if let [name] = &names[..] {
+        call(name)
     } else {
         let cases: Vec<_> =
-            ids.iter().zip(1..).map(|(id, number)| format!("case ({number})\n    {}\n", call(id))).collect();
-        format!("select case (jtype)\n{}case default\n    call xit\nend select", cases.concat())
+            names.iter().zip(1..).map(|(name, number)| format!("case ({number})\n    {}\n", call(name))).collect();
+        format!("select case (jtype)\n{}case default\n    {stop}\nend select", cases.concat())
     };
-    let text = filled(include_str!("shell/uel_call.f90"), &[("uses", &uses.join("\n")), ("calls", &calls)]);
-    Ok(Routine { of: ids[0], name: format!("uel_{}", ids.join("_")), head, text: tidied(&text), modules: all })
+    let text = filled(template, &[("uses", &uses.join("\n")), ("calls", &calls)]);
+    Ok(Routine {
+        of: elements[0].spec().id,
+        name: format!("{routine}_{}", names.join("_")),
+        head,
+        text: tidied(&text),
+        modules: all,
+    })
 }
 
 /// The module with the routine of an element.
-fn module(element: &dyn AnyElement, forms: &[Recorded]) -> String {
+fn module(shell: Shell, element: &dyn AnyForm, forms: &[Recorded]) -> String {
     let interface = Interface::new(element);
     let layout = &interface.layout;
     let [motions, held, states] = [layout.unknowns, layout.multipliers, layout.state].map(len);
@@ -173,7 +196,7 @@ fn module(element: &dyn AnyElement, forms: &[Recorded]) -> String {
     let smooth =
         [places.arguments, passed(layout.multipliers, "u", motions + 1), passed(layout.start, "props", first)].concat();
     let rubbing = [&smooth[..], &passed(layout.contact, "props", stick), &passed(layout.state, "svars", 1)].concat();
-    let id = element.spec().id;
+    let id = &element.name();
     let [plain, with_friction] = [forms.first(), forms.get(1)];
     let call = |form: Option<&Recorded>, arguments: &[String]| {
         form.map_or_else(String::new, |form| {
@@ -215,8 +238,14 @@ fn module(element: &dyn AnyElement, forms: &[Recorded]) -> String {
         _ => include_str!("shell/turned_plane.f90"),
     };
     let use_rubbing = if with_friction.is_some() { format!("use jp_element_{id}_rubbing") } else { String::new() };
+    let functions = [include_str!("shell/keeps_order.f90"), functions].concat();
+    let (template, masses, energy) = if shell == Shell::Vuel {
+        (include_str!("shell/vuel.f90"), masses(&interface), energy(&interface))
+    } else {
+        (include_str!("shell/uel.f90"), String::new(), String::new())
+    };
     let text = filled(
-        include_str!("shell/uel.f90"),
+        template,
         &[
             ("use_rubbing", &use_rubbing),
             ("declarations", &declarations.join("\n")),
@@ -225,13 +254,38 @@ fn module(element: &dyn AnyElement, forms: &[Recorded]) -> String {
             ("finite", &finite.join("\n")),
             ("conditions", &conditions.join("\n")),
             ("matrices", matrices),
-            ("functions", functions),
+            ("functions", &functions),
+            ("masses", &masses),
+            ("energy", &energy),
             ("motions", &motions.to_string()),
             ("ndofel", &interface.ndofel().to_string()),
             ("id", id),
         ],
     );
     tidied(&text)
+}
+
+/// The mass of each degree of freedom, from the properties after all others.
+fn masses(interface: &Interface) -> String {
+    let one = |(range, field): (Range<usize>, &Field)| {
+        let property = interface.nprops() + 1 + usize::from(is_rotation(field));
+        format!("mass({}:{}) = props({property})\n", range.start + 1, range.end)
+    };
+    let unknowns = interface.layout.unknowns;
+    Field::ranges(unknowns).zip(unknowns).map(one).collect()
+}
+
+/// The energy of the penalties: half of each times the square of its residual.
+fn energy(interface: &Interface) -> String {
+    let Layout { start, residuals, .. } = interface.layout;
+    let of = |(property, kappa): (Range<usize>, &Field)| {
+        let held = Field::ranges(residuals).zip(residuals).filter(|(_, residual)| Form::penalty(residual) == *kappa);
+        let places: Vec<_> = held.flat_map(|(range, _)| range).map(|k| (k + 1).to_string()).collect();
+        let kappa = interface.orientations() + property.start + 1;
+        (!places.is_empty()).then(|| format!("props({kappa}) * sum(residuals([{}])**2) / 2", places.join(", ")))
+    };
+    let sum: Vec<_> = Field::ranges(start).zip(start).filter_map(of).collect();
+    if sum.is_empty() { String::new() } else { format!("energy = {}", sum.join(" + ")) }
 }
 
 /// A filled template without lines of blanks, and with long lines folded.

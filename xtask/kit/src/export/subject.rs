@@ -2,7 +2,7 @@
 
 use crate::project::Project;
 use crate::prove;
-use jointproof::catalog::{AnyElement, AnyFormula};
+use jointproof::catalog::{AnyForm, AnyFormula, Form};
 use jointproof::formula::{Bounds, Field, Spec};
 use jointproof::toolkit::bound;
 use jointproof::toolkit::graph::{Extremes, Graph, NotRecorded};
@@ -12,13 +12,13 @@ use std::fmt;
 #[derive(Clone, Copy)]
 pub(super) enum Subject {
     Formula(&'static dyn AnyFormula),
-    /// An element, and whether it has friction.
-    Element(&'static dyn AnyElement, bool),
+    /// An element in a form, and whether it has friction.
+    Element(&'static dyn AnyForm, bool),
 }
 
 impl Subject {
     /// An element without friction, and with friction if it can have any.
-    pub(super) fn forms(element: &'static dyn AnyElement) -> Vec<Self> {
+    pub(super) fn forms(element: &'static dyn AnyForm) -> Vec<Self> {
         let with_friction = (!element.layout().contact.is_empty()).then_some(Self::Element(element, true));
         [Self::Element(element, false)].into_iter().chain(with_friction).collect()
     }
@@ -39,10 +39,11 @@ impl Subject {
 
     /// `slot_constraint` of the formula `slot.constraint`, `element_slot_rubbing` of the element SLOT with friction.
     pub(super) fn stem(self) -> String {
-        let id = self.spec().id;
         match self {
-            Self::Formula(_) => id.replace('.', "_"),
-            Self::Element(_, rubs) => format!("element_{id}_{}", if rubs { "rubbing" } else { "smooth" }),
+            Self::Formula(formula) => formula.spec().id.replace('.', "_"),
+            Self::Element(element, rubs) => {
+                format!("element_{}_{}", element.name(), if rubs { "rubbing" } else { "smooth" })
+            }
         }
     }
 
@@ -58,6 +59,9 @@ impl Subject {
         match (self, project) {
             (Self::Formula(formula), Some(project)) => prove::accuracy(project, formula, None),
             (Self::Formula(formula), None) => bound::accuracy(&formula.spec(), None, [None; 2]),
+            (Self::Element(element, _), _) if element.form() != Form::default() => {
+                "no bound of eta is stated in this form".into()
+            }
             (Self::Element(element, _), _) => {
                 let (Bounds { value, .. }, by) = element.spec().bounds();
                 format!("every number: η ≤ {value}, measured{by}")
@@ -65,22 +69,23 @@ impl Subject {
         }
     }
 
-    /// The path of its golden file below the folder of those.
-    pub(super) fn golden(self) -> String {
+    /// The path of its golden file below the folder of those; an element has one in its own form alone.
+    pub(super) fn golden(self) -> Option<String> {
         let id = self.spec().id;
         match self {
-            Self::Formula(_) => format!("{id}.json"),
-            Self::Element(..) => format!("elements/{id}.json"),
+            Self::Formula(_) => Some(format!("{id}.json")),
+            Self::Element(element, _) => (element.form() == Form::default()).then(|| format!("elements/{id}.json")),
         }
     }
 }
 
 impl fmt::Display for Subject {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let id = self.spec().id;
         match self {
-            Self::Formula(_) => f.write_str(id),
-            Self::Element(_, rubs) => write!(f, "element {id} {} friction", if *rubs { "with" } else { "without" }),
+            Self::Formula(formula) => f.write_str(formula.spec().id),
+            Self::Element(element, rubs) => {
+                write!(f, "element {} {} friction", element.name(), if *rubs { "with" } else { "without" })
+            }
         }
     }
 }
