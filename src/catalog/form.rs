@@ -116,21 +116,21 @@ impl Form {
         let rotations = match self.rotations {
             Rotations::Spins => None,
             Rotations::Vectors => Some(
-                "The triad of a node is that at psi = 0 rotated by psi, and both are inputs; derivatives are by psi, and moments \
-                 are conjugate to it. psi must not come near a whole turn.",
+                "The triad of a node is that at psi = 0 rotated by psi, and both are inputs; derivatives are with respect to \
+                 psi, and moments are conjugate to it. The length of psi must stay well below a full turn.",
             ),
             Rotations::EulerParameters => Some(
                 "The triad of a node is that at (q0, q) = (1, 0) rotated by the unit quaternion (q0, q), and both are inputs; \
-                 derivatives are by (q0, q), and moments are conjugate to them. The program holds the length of (q0, q).",
+                 derivatives are with respect to (q0, q), and moments are conjugate to them. The program holds the length of (q0, q).",
             ),
         };
         let arms = self.has_arms.then_some(
             "The connector is at the ends of rigid arms, xa + arm_a and xb + arm_b; an arm rotates with its node, and the input \
-             is where it is now.",
+             is its current position.",
         );
         let penalties = self.has_penalties.then_some(
-            "Penalties instead of multipliers: each multiplier is minus its penalty times its residual, and the stiffness contains \
-             what follows from that. kappa is the penalty of lengths, kappa_r that of angles and cosines.",
+            "Penalties instead of multipliers: each multiplier is minus its penalty times its residual, and the stiffness includes \
+             their change. kappa is the penalty of lengths, kappa_r that of angles and cosines.",
         );
         arms.into_iter().chain(rotations).chain(penalties).collect()
     }

@@ -114,7 +114,7 @@ impl<E: ProvedElement<M, DOFS>, const M: usize, const DOFS: usize> Formed<E, M, 
         let Given { step, arms, rotations, penalties } = self.given(components, rubs);
         let Step { nodes, mut multipliers, parameters, before } = step;
         if let Some(penalties) = &penalties {
-            multipliers = parameters.pressed(&nodes, &multipliers, penalties);
+            multipliers = parameters.penalty_multipliers(&nodes, &multipliers, penalties);
         }
         let (found, after) = parameters.contribution(&nodes, &multipliers, &before);
         let penalties = penalties.as_ref();
@@ -145,7 +145,7 @@ impl<E: ProvedElement<M, DOFS>, const M: usize, const DOFS: usize> Formed<E, M, 
         penalties: Option<&SVector<D, M>>,
     ) -> Vec<D> {
         if let Some(penalties) = penalties {
-            found.stiffness = found.penalised(penalties);
+            found.stiffness = found.stiffness_with(penalties);
         }
         let mut all = Vec::new();
         found.for_each(count(self.layout.multipliers), &mut |x| all.push(x));

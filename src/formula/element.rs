@@ -168,7 +168,7 @@ impl<D: Scalar, const M: usize, const DOFS: usize> Contribution<D, M, DOFS> {
 
     /// The stiffness where each multiplier changes by −κ times its residual: that with the multipliers held, less the derivative with
     /// respect to them times κ times the rows.
-    pub(crate) fn penalised(&self, penalties: &SVector<D, M>) -> SMatrix<D, DOFS, DOFS> {
+    pub(crate) fn stiffness_with(&self, penalties: &SVector<D, M>) -> SMatrix<D, DOFS, DOFS> {
         let pressed = SMatrix::from_fn(|row, column| self.rows[(row, column)] * penalties[row]);
         self.stiffness - self.by_multipliers * pressed
     }
@@ -245,13 +245,13 @@ impl<E: Element<M, DOFS>, D: Scalar, const M: usize, const DOFS: usize> Paramete
         before: &E::State<D>,
     ) -> (Penalised<D, M, DOFS>, E::State<D>) {
         const { assert!(!E::MULTIPLIERS.is_empty(), "the element holds no condition") };
-        let multipliers = self.pressed(nodes, multipliers, penalties);
+        let multipliers = self.penalty_multipliers(nodes, multipliers, penalties);
         let (found, after) = self.contribution(nodes, &multipliers, before);
-        (Penalised { multipliers, forces: found.forces, stiffness: found.penalised(penalties) }, after)
+        (Penalised { multipliers, forces: found.forces, stiffness: found.stiffness_with(penalties) }, after)
     }
 
     /// The multipliers λ − κ g; friction has no influence on the residuals.
-    pub(crate) fn pressed(
+    pub(crate) fn penalty_multipliers(
         &self,
         nodes: &E::Nodes<D>,
         multipliers: &SVector<D, M>,

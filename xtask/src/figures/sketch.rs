@@ -203,7 +203,9 @@ impl Sketch {
         for (k, axis) in axes.iter().enumerate() {
             self.arrow(at, axis * length, ink);
             let end = self.place(at + axis * length) - self.place(at);
-            let beside = end / end.norm().max(1.0) * 12.0 + Vector2::new(-5.0, 5.0);
+            let away = end / end.norm().max(1.0);
+            // A label extends to the right.
+            let beside = away * 12.0 + Vector2::new(-5.0 + 14.0 * away.x.min(0.0), 5.0);
             self.label(at + axis * length, beside.into(), &format!("*e_{}{of}", k + 1), ink);
         }
     }

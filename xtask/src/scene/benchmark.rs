@@ -30,7 +30,7 @@ fn of<J: Joint>(report: &mut String) -> anyhow::Result<()> {
     writeln!(
         report,
         "\n`{kind}` with friction, outputs `{}`:\n\n\
-         | Elements | Read, ns | Scene, ns | Bare, ns | Scene over bare | Bytes an element | Bytes a node | Resident, bytes |\n\
+         | Elements | Read, ns | Scene, ns | Bare, ns | Scene over bare | Bytes per element | Bytes per node | Resident, bytes |\n\
          |---:|---:|---:|---:|---:|---:|---:|---:|",
         J::SORT.outputs().join(" ")
     )?;

@@ -82,8 +82,8 @@ fn write_report(report: &mut String, methods: &[Method; 2]) -> std::fmt::Result 
     let Generated { of, connectors, states } = SCENE;
     writeln!(
         report,
-        "\nFrom file to file, {connectors} elements of kind `{}` over {states} states, {TIMES} runs by turns:\n\n\
-         | Way | Median, ms | Least to most, ms | Files, MB | Peak memory, MB | Peak over files |\n\
+        "\nFrom file to file, {connectors} elements of kind `{}` over {states} states, {TIMES} alternating runs:\n\n\
+         | Method | Median, ms | Least to most, ms | Files, MB | Peak memory, MB | Peak over files |\n\
          |---|---:|---:|---:|---:|---:|",
         of.kind()
     )?;
@@ -102,7 +102,7 @@ fn write_report(report: &mut String, methods: &[Method; 2]) -> std::fmt::Result 
     let ratios: Vec<_> =
         json.milliseconds.iter().zip(&columns.milliseconds).map(|(json, columns)| json / columns).collect();
     let [least, median, most] = spread(&ratios);
-    writeln!(report, "\nColumns take {median:.1} times less than JSON; turn by turn {least:.1} to {most:.1} times.")
+    writeln!(report, "\nColumns take {median:.1} times less time than JSON; run by run {least:.1} to {most:.1} times.")
 }
 
 /// Memory in megabytes, and relative to the size of the files.

@@ -33,7 +33,8 @@ const TANGENT: &str = "A friction force $R$ works against a motion $s$ of the co
     $R$ follows the limit, and both are $\\mu$ times the derivative of the normal force, with the sign of $R$. The first part remains in stick: the friction force rotates with its node.";
 const ROTATIONS: &str = "The rotations above are spins, $\\delta\\mathbf{e} = \\delta\\boldsymbol{\\theta}\\times\\mathbf{e}$. With rotation vectors \
     $\\boldsymbol{\\psi}$ as unknowns, $\\delta\\boldsymbol{\\theta} = \\mathbf{T}\\,\\delta\\boldsymbol{\\psi}$: multiply the columns of the spin in the rows by $\\mathbf{T}$ from the right, \
-    replace the moment $\\mathbf{m}$ by $\\mathbf{T}^T\\mathbf{m}$, and the block $\\mathbf{K}$ of two spins by $\\mathbf{T}^T\\mathbf{K}\\,\\mathbf{T}$, with $\\partial(\\mathbf{T}^T\\mathbf{m})/\\partial\\boldsymbol{\\psi}$ added to that of a node's own spin.";
+    replace the moment $\\mathbf{m}$ by $\\mathbf{T}^T\\mathbf{m}$, and the block $\\mathbf{K}$ of two spins by $\\mathbf{T}^T\\mathbf{K}\\,\\mathbf{T}$, with $\\partial(\\mathbf{T}^T\\mathbf{m})/\\partial\\boldsymbol{\\psi}$ added to that of a node's own spin. \
+    [`export --unknowns rotation-vectors`](export.md#forms) writes the element in these unknowns.";
 const HELD: &str = "| | here | `UEL` of Abaqus |\n|---|---|---|\n\
     | forces on the nodes | $\\mathbf{f}$ | `RHS(1:n)` $= \\mathbf{f}$ |\n\
     | residuals | $\\mathbf{g}$ | `RHS(n+1:)` $= \\mathbf{g}$ |\n\

@@ -78,7 +78,7 @@ pub(super) fn pressure() -> Moving {
         sketch.area(&[at(0.0, 0.0), at(2.2, 0.0), at(2.2, -0.5), at(0.0, -0.5)], Ink::Solid);
         sketch.area(&[at(0.0, -h), at(2.2, -h), at(2.2, 0.7 - h), at(0.0, 0.7 - h)], Ink::Accent);
         sketch.arrow(at(1.1, 0.5 - h), at(0.0, -v * 0.7), Ink::Solid);
-        sketch.label(at(1.1, 0.5 - h), [10.0, 0.0], "v", Ink::Solid);
+        sketch.label(at(1.1, 0.5 - h - v * 0.35), [10.0, 5.0], "v", Ink::Solid);
         sketch.path(&[at(2.35, 0.0), at(2.35, -h)], Ink::Force);
         sketch.label(at(2.35, -h / 2.0), [8.0, 5.0], "h", Ink::Force);
         for (place, name, p) in [(3.3, "linear", linear), (4.3, "exponential", exponential), (6.1, "damping", damping)]

@@ -94,9 +94,9 @@ pub(super) fn smoothed() -> Moving {
         let nearer = |p: Vector2<f64>, q: Vector2<f64>| if (q - xs).norm() < (p - xs).norm() { q } else { p };
         let foot = feet.into_iter().flatten().reduce(nearer).unwrap_or(x2);
         sketch.path(&[on(xs), on(foot)], Ink::Accent);
-        for (node, name) in [(x1, "1"), (x2, "2"), (x3, "3")] {
+        for (node, name, beside) in [(x1, "1", [-4.0, 24.0]), (x2, "2", [10.0, -4.0]), (x3, "3", [-4.0, 24.0])] {
             sketch.dot(on(node), Ink::Solid);
-            sketch.label(on(node), [-4.0, 24.0], name, Ink::Solid);
+            sketch.label(on(node), beside, name, Ink::Solid);
         }
         sketch.dot(on(xs), Ink::Accent);
         sketch.dot(on(foot), Ink::Accent);
