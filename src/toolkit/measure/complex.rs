@@ -52,8 +52,8 @@ impl Step {
 trait Signs {
     fn abs(self) -> Self;
     fn signum(self) -> Self;
-    fn is_sign_positive(self) -> bool;
-    fn is_sign_negative(self) -> bool;
+    fn is_sign_positive(&self) -> bool;
+    fn is_sign_negative(&self) -> bool;
 }
 
 impl Signs for Number {
@@ -63,10 +63,10 @@ impl Signs for Number {
     fn signum(self) -> Self {
         self.re.signum().into()
     }
-    fn is_sign_positive(self) -> bool {
+    fn is_sign_positive(&self) -> bool {
         self.re.is_sign_positive()
     }
-    fn is_sign_negative(self) -> bool {
+    fn is_sign_negative(&self) -> bool {
         self.re.is_sign_negative()
     }
 }
