@@ -35,7 +35,14 @@ impl Drawing {
     }
 
     pub(crate) fn line(&mut self, kind: &str, from: [f64; 2], to: [f64; 2]) {
-        self.path(kind, &[from, to]);
+        let [[x, y], [right, top]] = [from, to].map(|point| point.map(tenth));
+        if y == top {
+            self.outline(kind, &format!("M{x} {y}H{right}"));
+        } else if x == right {
+            self.outline(kind, &format!("M{x} {y}V{top}"));
+        } else {
+            self.path(kind, &[from, to]);
+        }
     }
 
     /// A line through the points; one that is not finite breaks it.
@@ -43,7 +50,7 @@ impl Drawing {
         let (mut d, mut pen) = (String::new(), 'M');
         for [x, y] in points {
             if x.is_finite() && y.is_finite() {
-                let _ = write!(d, "{pen}{x:.1} {y:.1}");
+                let _ = write!(d, "{pen}{} {}", tenth(*x), tenth(*y));
                 pen = 'L';
             } else {
                 pen = 'M';
@@ -53,8 +60,8 @@ impl Drawing {
     }
 
     pub(crate) fn text(&mut self, kind: &str, [x, y]: [f64; 2], text: &str) {
-        let _ =
-            write!(self.svg, "<text {} x=\"{x:.1}\" y=\"{y:.1}\">{}</text>", (self.look.element)(kind), escape(text));
+        let ([x, y], text) = ([x, y].map(tenth), escape(text));
+        let _ = write!(self.svg, "<text {} x=\"{x}\" y=\"{y}\">{text}</text>", (self.look.element)(kind));
     }
 
     /// An outline by its path.
@@ -64,7 +71,7 @@ impl Drawing {
 
     /// An outline, relative to its centre.
     pub(crate) fn mark(&mut self, kind: &str, outline: &str, [x, y]: [f64; 2]) {
-        self.outline(kind, &format!("M{x:.1} {y:.1}{outline}"));
+        self.outline(kind, &format!("M{} {}{outline}", tenth(x), tenth(y)));
     }
 
     /// The horizontal axis between these ends, with grid lines from `y` up to `top`.
@@ -105,6 +112,11 @@ impl Drawing {
         self.svg.push_str("</svg>");
         self.svg
     }
+}
+
+/// Drawn to a tenth of a unit.
+fn tenth(x: f64) -> f64 {
+    (x * 10.0).round() / 10.0
 }
 
 fn escape(text: &str) -> String {

@@ -34,7 +34,7 @@ const METHODS: [Method; 9] = [
     ("closed", "1", |_| 1),
     ("single", "1", |_| 1),
     ("ad", "⌈n/4⌉", |n| n.div_ceil(4)),
-    ("complex", "n, complex", |n| n),
+    ("complex", "n complex + 1", |n| n + 1),
     ("forward", "n + 1", |n| n + 1),
     ("central", "2n + 1", |n| 2 * n + 1),
     ("fourth", "4n + 1", |n| 4 * n + 1),
