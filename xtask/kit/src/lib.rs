@@ -51,5 +51,5 @@ pub use book::{Fault, listing_page, uncovered};
 pub use commands::main;
 pub use extension::{Beside, Extras, Fact, Moving, Served, Slider, Table};
 pub use outcome::{Outcome, Usage};
-pub use plot::{Axis, Chart, Curve};
+pub use plot::{Axis, Chart, Curve, tenth};
 pub use project::{Catalog, Check, Project, Reach};

@@ -4,6 +4,7 @@
 use std::borrow::Cow;
 use std::fmt::Write;
 
+use kit::tenth;
 use nalgebra::{Vector2, Vector3};
 
 pub(crate) type Point = Vector3<f64>;
@@ -235,11 +236,6 @@ impl Sketch {
             notes.concat()
         )
     }
-}
-
-/// Rounds to a tenth, without a negative zero.
-fn tenth(x: f64) -> f64 {
-    (x * 10.0).round() / 10.0 + 0.0
 }
 
 /// A number for a note: two decimals, with a true minus sign.

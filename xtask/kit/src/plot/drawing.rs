@@ -114,9 +114,9 @@ impl Drawing {
     }
 }
 
-/// Drawn to a tenth of a unit.
-fn tenth(x: f64) -> f64 {
-    (x * 10.0).round() / 10.0
+/// Rounds a coordinate to a tenth, without a negative zero.
+pub fn tenth(x: f64) -> f64 {
+    (x * 10.0).round() / 10.0 + 0.0
 }
 
 fn escape(text: &str) -> String {

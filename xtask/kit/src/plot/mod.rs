@@ -7,4 +7,5 @@ mod drawing;
 pub use axis::Axis;
 pub(crate) use axis::{power, rounded};
 pub use chart::{Chart, Curve};
+pub use drawing::tenth;
 pub(crate) use drawing::{BY_CLASS, Drawing};
