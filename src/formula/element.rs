@@ -169,8 +169,8 @@ impl<D: Scalar, const M: usize, const DOFS: usize> Contribution<D, M, DOFS> {
     /// The stiffness where each multiplier changes by −κ times its residual: that with the multipliers held, less the derivative with
     /// respect to them times κ times the rows.
     pub(crate) fn stiffness_with(&self, penalties: &SVector<D, M>) -> SMatrix<D, DOFS, DOFS> {
-        let pressed = SMatrix::from_fn(|row, column| self.rows[(row, column)] * penalties[row]);
-        self.stiffness - self.by_multipliers * pressed
+        let stiff_rows = SMatrix::from_fn(|row, column| self.rows[(row, column)] * penalties[row]);
+        self.stiffness - self.by_multipliers * stiff_rows
     }
 
     /// All numbers in order: residuals, rows, forces, stiffness and derivative with respect to so many multipliers,

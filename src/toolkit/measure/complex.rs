@@ -3,8 +3,8 @@
 use super::difference::by_columns;
 use crate::formula::{Fields, Formula, ValueAndJacobian, from_array, to_array};
 use crate::number::newtype::{newtype_dual_num, newtype_number};
-use crate::number::scalar::{Scalar, atan2, norm, sum_of_squares};
-use num_dual::Dual64;
+use crate::number::scalar::{Scalar, norm, sum_of_squares};
+use num_dual::DualNum;
 use num_traits::FromPrimitive;
 use std::fmt;
 use std::str::FromStr;
@@ -74,9 +74,10 @@ impl Signs for Number {
 /// The elementary functions.
 mod functions {
     use super::Number;
+    use crate::number::scalar;
     use num_dual::{Dual64, DualNum};
 
-    pub(super) fn first_order(x: Number, function: impl FnOnce(Dual64) -> Dual64) -> Number {
+    fn first_order(x: Number, function: impl FnOnce(Dual64) -> Dual64) -> Number {
         let Dual64 { re, eps, .. } = function(Dual64::new(x.re, x.im));
         Number::new(re, eps)
     }
@@ -110,7 +111,7 @@ mod functions {
         (sin(x), cos(x))
     }
     pub(super) fn atan2(y: Number, x: Number) -> Number {
-        first_order(y, |y| DualNum::atan2(&y, Dual64::new(x.re, x.im)))
+        first_order(y, |y| scalar::atan2(y, Dual64::new(x.re, x.im)))
     }
     pub(super) fn mul_add(x: Number, factor: Number, addend: Number) -> Number {
         x * factor + addend
@@ -142,6 +143,10 @@ impl FromPrimitive for Step {
     fn from_u64(n: u64) -> Option<Self> {
         f64::from_u64(n).map(Self::from)
     }
+    /// The default would go through an integer.
+    fn from_f64(value: f64) -> Option<Self> {
+        Some(value.into())
+    }
 }
 
 impl FromStr for Step {
@@ -172,7 +177,7 @@ impl Scalar for Step {
         if norm(x.map(Self::leaf_of)) == 0.0 { Self::ZERO } else { Self(sum_of_squares(x).0.sqrt()) }
     }
     fn angle_of(y: Self, x: Self) -> Self {
-        Self(functions::first_order(y.0, |y| atan2(y, Dual64::new(x.0.re, x.0.im))))
+        DualNum::atan2(&y, x)
     }
 }
 
