@@ -132,7 +132,10 @@ fn properties(head: &mut Head, interface: &Interface, is_explicit: bool) {
         head.item(
             "",
             "",
-            &format!("Where {} is 0 there is no friction, and what follows it has no effect.", field.name),
+            &format!(
+                "Where {} is 0 there is no friction, and the other properties of friction have no effect.",
+                field.name
+            ),
         );
     }
     if name == "PROPS" {
