@@ -1,14 +1,25 @@
 """A formula is an operation of PyTorch, with its own derivative, in every transformation and at every order."""
 
+import os
+
 import numpy as np
 import pytest
 from conftest import points
 
 import jointproof
+from jointproof import arrays
 
-# Its wheel has 200 MB and more: tested where it is installed.
-torch = pytest.importorskip("torch")
-operations = pytest.importorskip("jointproof.torch")
+if os.environ.get("JOINTPROOF_REQUIRE_TORCH"):
+    import torch
+else:
+    # Its wheel has 200 MB and more: tested where it is installed.
+    torch = pytest.importorskip("torch")
+from exact import Golden
+from test_arrays import BENT, DOUBLE, THERE, bent, judged, linearized, off_by
+from torch.func import grad, hessian, jacfwd, jacrev, jvp, vmap
+
+from jointproof import torch as operations
+
 contact_force = operations.operation("slot.contact_force")
 
 
@@ -43,8 +54,6 @@ def total(x):
 
 
 def test_a_hessian_is_the_same_in_every_way():
-    from torch.func import grad, hessian, jacfwd, jacrev, vmap
-
     x = torch.tensor([3.0, 5.0], dtype=torch.float64)
     exact = (16.0 / (x**2 + 16.0) ** 1.5).numpy()
     ways = [hessian(total), *(a(b(total)) for a in (jacfwd, jacrev) for b in (jacfwd, jacrev))]
@@ -56,26 +65,93 @@ def test_a_hessian_is_the_same_in_every_way():
     assert near(jacfwd(jacfwd(jacfwd(total)))(one).numpy(), -48.0 * 3.0 / 25.0**2.5)
 
 
-@pytest.mark.parametrize("id", ["slot.friction", "universal.angles", "ujoint.hinge_bending", "slide_line.torque_linear", "hinge.contact_moment"])
+@pytest.mark.parametrize("id", THERE)
+def test_golden_cases(id):
+    function, operation = arrays.find(id), operations.operation(id)
+    golden = Golden(function.formula, DOUBLE)
+    inputs = [torch.tensor(x) for x in golden.inputs]
+    value, jacobian = linearized(function)(*inputs)
+    value = [y.numpy() for y in value]
+    assert not judged(function.formula, golden, value, jacobian, 2.0**-53)
+    assert all(np.array_equal(y, x, equal_nan=True) for y, x in zip(operation(*inputs), value))
+
+
+def by_hessian(rows, x, along):
+    return torch.einsum("rmjk,rk->rmj", vmap(hessian(lambda x: rows(x[None])[0]))(x), along)
+
+
+def twice_backwards(rows, x, along):
+    x = x.clone().requires_grad_()
+    changes = []
+    for result in rows(x).T:
+        (slope,) = torch.autograd.grad(result.sum(), x, create_graph=True)
+        (change,) = torch.autograd.grad((slope * along).sum(), x, retain_graph=True, materialize_grads=True) if slope.requires_grad else (torch.zeros_like(x),)
+        changes.append(change)
+    return torch.stack(changes, dim=1)
+
+
+def forwards_over_backwards(rows, x, along):
+    return vmap(lambda x, d: jvp(jacrev(lambda x: rows(x[None])[0]), (x,), (d,))[1])(x, along)
+
+
+def off(id, operation=None):
+    """By how much second derivatives differ from the exact ones at most, in each way."""
+    formula = jointproof.find(id)
+    operation = operation or operations.operation(id)
+    inputs, along, exact = bent(formula)
+    assert len(inputs) == 100
+
+    def rows(x):
+        return torch.cat([y.reshape(len(x), -1) for y in operation(**formula.unpack(x))], dim=-1)
+
+    ways = [way(rows, torch.tensor(inputs), torch.tensor(along)) for way in (by_hessian, twice_backwards, forwards_over_backwards)]
+    return [off_by(found.detach().numpy(), exact) for found in ways]
+
+
+@pytest.mark.parametrize("id", BENT)
 def test_second_derivatives_are_exact(id):
-    from test_arrays import bent, off_by
+    assert max(off(id)) < 1e-9
 
-    formula, operation = jointproof.find(id), operations.operation(id)
-    inputs, ways, exact = bent(formula)
 
-    def value(x):
-        return torch.cat([y.reshape(-1) for y in operation(**formula.unpack(x))])
+def test_a_wrong_sign_in_a_rule_is_noticed():
+    right = arrays.slot.contact_force
 
-    along = torch.func.vmap(lambda x, d: torch.func.jvp(torch.func.jacrev(value), (x,), (d,))[1])
-    assert off_by(along(torch.tensor(inputs), torch.tensor(ways)).numpy(), exact) < 1e-9
+    def planted(lib, *numbers):
+        value, (by_f2, by_f3) = right._linearized(lib, *numbers)
+        return value, (by_f2, -by_f3)
+
+    wrong = arrays.Function(right.id, right._value, planted, right._accepted, right.entries)
+    assert min(off(right.id, operations.ruled(wrong))) > 1e-2
 
 
 @pytest.mark.parametrize("backend", ["aot_eager", "inductor"])
-def test_it_is_compiled(backend):
-    x = torch.tensor([3.0, 5.0], dtype=torch.float64, requires_grad=True)
-    value = torch.compile(total, backend=backend, fullgraph=True)(x)
+@pytest.mark.parametrize("id", ["slot.friction", "cardan.angles", "hinge.friction", "slide_line.torque_linear", "interaction.pressure_exponential"])
+def test_it_is_compiled(id, backend):
+    """From the first call on, at which no type of its results has been made."""
+    formula = jointproof.find(id)
+    x = torch.tensor(bent(formula, 20)[0])
+    vars(formula).pop("Value", None)
+    operation = operations.ruled(arrays.find(id))
+
+    def total(x):
+        return sum(y.sum() for y in operation(**formula.unpack(x)))
+
+    torch.compiler.reset()
+    inputs = x.clone().requires_grad_()
+    value = torch.compile(total, backend=backend, fullgraph=True)(inputs)
     value.backward()
-    assert near(value.detach().numpy(), 5.0 + 41.0**0.5) and near(x.grad.numpy(), (x / (x**2 + 16.0) ** 0.5).detach().numpy())
+    assert near(value.detach().numpy(), total(x).numpy()) and near(inputs.grad.numpy(), grad(total)(x).numpy())
+    mapped = torch.compile(vmap(grad(total)), backend=backend, fullgraph=True)(x)
+    assert near(mapped.numpy(), grad(total)(x).numpy())
+
+
+def test_it_is_exported():
+    class Loads(torch.nn.Module):
+        def forward(self, f2):
+            return contact_force(f2, 4.0).fc
+
+    x = torch.tensor([3.0, 5.0], dtype=torch.float64)
+    assert torch.equal(torch.export.export(Loads(), (x,)).module()(x), contact_force(x, 4.0).fc)
 
 
 def test_precision_is_kept_and_what_is_not_allowed_is_nan():
@@ -86,6 +162,8 @@ def test_precision_is_kept_and_what_is_not_allowed_is_nan():
     assert torch.isnan(friction(1.0, 3.0, 4.0, 0.0, mu).phi).tolist() == [False, True]
     with pytest.raises(jointproof.InputError, match="row 1: mu is -1.0"):
         operations.operation("slot.friction", checked=True)(1.0, 3.0, 4.0, 0.0, mu)
+    with pytest.raises(TypeError, match="slot.friction: checked=True looks at numbers"):
+        vmap(lambda mu: operations.operation("slot.friction", checked=True)(1.0, 3.0, 4.0, 0.0, mu).phi)(mu)
 
 
 def test_numbers_are_exact_and_errors_name_the_input():

@@ -32,8 +32,14 @@ def operation(formula: "str | Formula", *, checked: bool = False) -> Callable[..
 
 @lru_cache
 def _operation(id, checked):
-    function = arrays.there(id)
-    value = function.value if function.entries is None else _ruled(function)
+    return ruled(arrays.there(id), checked)
+
+
+def ruled(function, checked=False):
+    """A function over arrays with its own Jacobian as its derivative."""
+    value = function.value if function.entries is None else _with_rule(function)
+    # A compiler that traces the first call cannot make this type.
+    function.formula.Value  # noqa: B018
 
     def called(*args, **kwargs):
         names = function.formula._input_names
@@ -68,7 +74,7 @@ def _real(name, x, dtype, device):
         raise TypeError(f"{name}: {why}") from None
 
 
-def _ruled(function):
+def _with_rule(function):
     """The value, with the Jacobian of the formula as its derivative."""
 
     class Operation(torch.autograd.Function):

@@ -245,7 +245,12 @@ class Function:
 
             if check_traced(self, holds):
                 return
-        if not bool(holds):
+        try:
+            holds = bool(holds)
+        except RuntimeError:
+            why = "checked=True looks at numbers, which torch.func.vmap does not show; without it, what is not allowed gives NaN"
+            raise TypeError(f"{self.id}: {why}") from None
+        if not holds:
             told = [np.asarray(x.cpu() if lib.is_torch else x) for x in map(lib.still, numbers)]
             self.formula(**self.formula.unpack(np.stack(told, axis=-1)))
             raise ValueError(f"{self.id}: what is allowed in doubles is not in {lib.dtype}")
