@@ -1,12 +1,12 @@
 //! Each formula and each element in one file that needs no other: what the book has to download.
 
-use super::c::{self, C};
+use super::c;
 use super::fortran;
 use super::javascript::{self, JavaScript};
-use super::language::{self, files_of};
 use super::numpy;
+use super::program::functions_of;
 use super::recorded::{Recorded, Subject, record};
-use super::shell::{self, File, Shell, in_order};
+use super::shell::{self, File, Shell};
 use crate::project::Project;
 use jointproof::catalog::AnyForm;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
@@ -69,30 +69,26 @@ fn of(one: &Recorded) -> Vec<Download> {
     files.map(download).into()
 }
 
-/// The headers, the parts in their order, and the functions.
+/// The headers, and the functions.
 fn in_c(one: &Recorded) -> String {
-    let mut files = files_of(&C, one);
-    let source = files.remove(0);
+    let [(_, source), (_, header)] = c::files_of(one);
     let includes = |line: &&str| !line.starts_with("#include \"jp_");
-    let headers = [c::ARRAYS, c::RUNTIME].into_iter().map(str::to_owned);
-    let texts = headers.chain(files.into_iter().map(|(_, text)| text)).chain([source.1]);
+    let texts = [c::ARRAYS, c::RUNTIME, &header, &source];
     joined(texts.map(|text| text.lines().filter(includes).flat_map(|line| [line, "\n"]).collect()))
 }
 
-/// The modules in their order; that of the runtime has a name of its own.
+/// The runtime, whose module has a name of its own, and the module.
 fn in_fortran(one: &Recorded) -> String {
-    let modules = [vec![fortran::RUNTIME.to_owned()], fortran::modules(one)].concat();
-    joined(in_order(modules)).replace("jp_runtime", &format!("jp_runtime_{}", one.subject.stem()))
+    let modules = [fortran::RUNTIME.to_owned(), fortran::module_of(one)];
+    joined(modules).replace("jp_runtime", &format!("jp_runtime_{}", one.subject.stem()))
 }
 
 /// One module, which exports what the module of the formula or element does.
 fn in_javascript(one: &Recorded) -> String {
-    let mut files: Vec<language::File> = files_of(&JavaScript, one);
-    let source = files.remove(0).1;
     let private = |text: &str| text.replace("\nexport const ", "\nconst ").replace("\nexport function ", "\nfunction ");
     let runtime = private(javascript::RUNTIME).replace("\nfunction refused(", "\nexport function refused(");
-    let parts = files.into_iter().map(|(_, text)| private(&without_imports(&text)));
-    joined([runtime].into_iter().chain(parts).chain([without_imports(&source)]))
+    let module = javascript::module(one, functions_of(&JavaScript, one));
+    joined([runtime, without_imports(&module)])
 }
 
 /// A module without its imports, which end with a semicolon.
@@ -124,6 +120,7 @@ fn joined(texts: impl IntoIterator<Item = String>) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::export::c::C;
     use crate::export::language::Language;
     use crate::export::recorded::{element_of, formulas};
     use crate::files;

@@ -3,8 +3,8 @@
 mod driver;
 pub(super) mod loops;
 
-use super::language::{File, Language, Operand, Syntax, Toolchain, files_of};
-use super::program::{Body, Lines, PartLines, WIDTH, folded};
+use super::language::{File, Language, Operand, Syntax, Toolchain};
+use super::program::{Body, Functions, Lines, PartLines, WIDTH, folded, functions_of};
 use super::recorded::{Function, Output, Recorded, Shape, Text, description, filled, refusals, stem, unreserved};
 use jointproof::formula::Field;
 use jointproof::toolkit::graph::{Binary, Node, Op, Relation, Unary};
@@ -67,7 +67,7 @@ const FLAGS: [&str; 6] = ["-std=c99", "-O2", "-ffp-contract=off", "-Wall", "-Wex
 impl Language for C {
     fn files(&self, recorded: &[Recorded]) -> Vec<File> {
         let mut sources = vec![("jp_self_test.c".to_owned(), SELF_TEST.to_owned())];
-        sources.extend(recorded.iter().flat_map(|one| files_of(self, one)));
+        sources.extend(recorded.iter().flat_map(files_of));
         let drivers = driver::files(recorded);
         let mut files = vec![
             ("jp_runtime.h".to_owned(), RUNTIME.to_owned()),
@@ -90,18 +90,45 @@ impl Language for C {
     }
 }
 
-impl Syntax for C {
-    fn printed(&self, one: &Recorded, limit: usize) -> Vec<File> {
-        let stem = stem(one);
-        let (source, parts) = source(one, limit);
-        let mut files = vec![(format!("jp_{stem}.c"), source), (format!("jp_{stem}.h"), header(one))];
-        if !parts.is_empty() {
-            files.push((format!("jp_{stem}_parts.h"), parts_header(&stem, &parts)));
+impl Functions for C {
+    fn function(&self, one: &Recorded, body: &Body, lines: &Lines, function: &Function) -> String {
+        let mut text = Text::from(format!("\n{}\n{{\n", prototype(one, function)));
+        let inputs = one.inputs();
+        for (position, field) in inputs.iter().enumerate() {
+            text.push(refusal(field, position + 1));
         }
-        files.extend(parts.iter().map(|part| (format!("jp_{stem}_part{}.c", part.number), part_source(&stem, part))));
-        files
+        for line in &lines.text {
+            text.push(format!("{line}\n"));
+        }
+        if let Some(refusal) = one.graph.refusal {
+            let code = body.text(lines, refusal);
+            text.push(format!("    if ({code} > 0.0) return {} + (int)({code});\n", inputs.len()));
+        }
+        for output in &function.outputs {
+            let name = output_name(output);
+            if output.shape == Shape::Number {
+                text.push(format!("    *{name} = {};\n", body.text(lines, one.nodes(output)[0])));
+                continue;
+            }
+            let (zeros, entries) = one.entries(output);
+            text.push(zeroed(&name, &zeros, output.len()));
+            let entries = entries.iter().map(|(k, node)| format!("{name}[{k}] = {};", body.text(lines, *node)));
+            text.push(statements(entries));
+        }
+        text.push("    return 0;\n}\n");
+        text.finished()
     }
 
+    fn part(&self, stem: &str, part: &PartLines) -> String {
+        let inputs = part.inputs.iter().map(|field| taken(field));
+        let given = (part.given > 0).then(|| format!("const double given[{}]", part.given));
+        let arguments: Vec<_> = inputs.chain(given).chain([format!("double found[{}]", part.found)]).collect();
+        let head = format!("static void jp_{stem}_part{}({})", part.number, arguments.join(", "));
+        format!("\n{}\n{{\n{}\n}}\n", folded(&head, "").join("\n"), part.lines.text.join("\n"))
+    }
+}
+
+impl Syntax for C {
     fn number(&self, x: f64) -> String {
         if x.is_infinite() {
             return if x > 0.0 { "HUGE_VAL".into() } else { "(-HUGE_VAL)".into() };
@@ -254,50 +281,13 @@ fn name_of(field: &Field) -> String {
     unreserved(field.name, &RESERVED)
 }
 
-/// The text of its functions, and the parts that they call.
-fn source(one: &Recorded, limit: usize) -> (String, Vec<PartLines>) {
+/// The source of a formula or an element, and its header.
+pub(super) fn files_of(one: &Recorded) -> [File; 2] {
     let stem = stem(one);
-    let body = Body::of(&C, one, &stem);
-    let mut parts = Vec::new();
-    let mut functions = Vec::new();
-    for printed in one.functions() {
-        let (lines, more) = body.program(&one.results(&printed), limit, parts.len() + 1);
-        parts.extend(more);
-        functions.push(function(one, &body, &lines, &printed));
-    }
     let mut text = Text::from(comment(&description(one)));
-    let with_parts = if parts.is_empty() { String::new() } else { format!("#include \"jp_{stem}_parts.h\"\n") };
-    text.push(format!("#include \"jp_{stem}.h\"\n{with_parts}#include \"jp_runtime.h\"\n"));
-    text.push_all(functions);
-    (text.finished(), parts)
-}
-
-fn function(one: &Recorded, body: &Body, lines: &Lines, function: &Function) -> String {
-    let mut text = Text::from(format!("\n{}\n{{\n", prototype(one, function)));
-    let inputs = one.inputs();
-    for (position, field) in inputs.iter().enumerate() {
-        text.push(refusal(field, position + 1));
-    }
-    for line in &lines.text {
-        text.push(format!("{line}\n"));
-    }
-    if let Some(refusal) = one.graph.refusal {
-        let code = body.text(lines, refusal);
-        text.push(format!("    if ({code} > 0.0) return {} + (int)({code});\n", inputs.len()));
-    }
-    for output in &function.outputs {
-        let name = output_name(output);
-        if output.shape == Shape::Number {
-            text.push(format!("    *{name} = {};\n", body.text(lines, one.nodes(output)[0])));
-            continue;
-        }
-        let (zeros, entries) = one.entries(output);
-        text.push(zeroed(&name, &zeros, output.len()));
-        let entries = entries.iter().map(|(k, node)| format!("{name}[{k}] = {};", body.text(lines, *node)));
-        text.push(statements(entries));
-    }
-    text.push("    return 0;\n}\n");
-    text.finished()
+    text.push(format!("#include \"jp_{stem}.h\"\n#include \"jp_runtime.h\"\n"));
+    text.push_all(functions_of(&C, one));
+    [(format!("jp_{stem}.c"), text.finished()), (format!("jp_{stem}.h"), header(one))]
 }
 
 /// Up to this many zeros are written one by one: compilers turn longer loops into memset, which takes longer than
@@ -388,27 +378,6 @@ fn header(one: &Recorded) -> String {
 fn umbrella(recorded: &[Recorded]) -> String {
     let includes: Vec<_> = recorded.iter().map(|one| format!("#include \"jp_{}.h\"\n", stem(one))).collect();
     include_str!("runtime/jointproof.h").replace("{includes}", &includes.concat())
-}
-
-fn part_prototype(stem: &str, part: &PartLines) -> String {
-    let inputs = part.inputs.iter().map(|field| taken(field));
-    let given = (part.given > 0).then(|| format!("const double given[{}]", part.given));
-    let arguments: Vec<_> = inputs.chain(given).chain([format!("double found[{}]", part.found)]).collect();
-    folded(&format!("void jp_{stem}_part{}({})", part.number, arguments.join(", ")), "").join("\n")
-}
-
-fn parts_header(stem: &str, parts: &[PartLines]) -> String {
-    let prototypes: Vec<_> = parts.iter().map(|part| part_prototype(stem, part) + ";\n").collect();
-    comment(&["What the functions of this formula call; for nobody else.".into()])
-        + &guarded(&format!("jp_{stem}_parts"), "", &prototypes.concat())
-}
-
-fn part_source(stem: &str, part: &PartLines) -> String {
-    format!(
-        "#include \"jp_{stem}_parts.h\"\n#include \"jp_runtime.h\"\n\n{}\n{{\n{}\n}}\n",
-        part_prototype(stem, part),
-        part.lines.text.join("\n")
-    )
 }
 
 /// The sources among files.

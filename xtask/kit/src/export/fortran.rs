@@ -3,12 +3,11 @@
 use super::c::{Names, common, exact_sum, signed};
 pub(super) mod driver;
 
-use super::language::{File, Language, Operand, Syntax, Toolchain, files_of};
-use super::program::{Body, Lines, PartLines, folded};
+use super::language::{File, Language, Operand, Syntax, Toolchain};
+use super::program::{Body, Functions, Lines, PartLines, folded, functions_of};
 use super::recorded::{Function, Output, Recorded, Shape, Text, description, refusals, stem, unreserved};
 use jointproof::formula::Field;
 use jointproof::toolkit::graph::{Op, Relation, Unary};
-use std::collections::BTreeSet;
 
 pub(super) struct Fortran;
 
@@ -46,15 +45,15 @@ const NAMES: Names = Names {
 
 impl Language for Fortran {
     fn files(&self, recorded: &[Recorded]) -> Vec<File> {
-        let formulas: Vec<_> = recorded.iter().map(|one| files_of(self, one)).collect();
+        let modules: Vec<_> = recorded.iter().map(|one| (format!("jp_{}.f90", stem(one)), module_of(one))).collect();
         let drivers = driver::files(recorded);
         let mut files = vec![
             ("jp_runtime.f90".to_owned(), RUNTIME.to_owned()),
             ("jointproof.f90".to_owned(), module(recorded)),
-            ("Makefile".to_owned(), makefile(&formulas, &drivers)),
+            ("Makefile".to_owned(), makefile(&modules, &drivers)),
         ];
         files.extend(drivers);
-        files.extend(formulas.into_iter().flatten());
+        files.extend(modules);
         files
     }
 
@@ -64,15 +63,65 @@ impl Language for Fortran {
     }
 }
 
-impl Syntax for Fortran {
-    fn printed(&self, one: &Recorded, limit: usize) -> Vec<File> {
-        let stem = stem(one);
-        let (source, parts) = source(one, limit);
-        files_with_parts(&stem, source, &parts)
+impl Functions for Fortran {
+    fn function(&self, one: &Recorded, body: &Body, lines: &Lines, Function { name, outputs }: &Function) -> String {
+        let (name, inputs) = (format!("jp_{}_{name}", stem(one)), one.inputs());
+        let names: Vec<_> = inputs.iter().map(name_of).chain(outputs.iter().map(output_name)).collect();
+        let mut text =
+            Text::from(format!("function {name}( &\n        {}) result(code)\n", names.join(", &\n        ")));
+        text.push(declared(inputs, 0));
+        for output in outputs {
+            let shape = match output.shape {
+                Shape::Number => String::new(),
+                Shape::Vector(len) => format!("({len})"),
+                Shape::Matrix(rows, columns) => format!("({rows}, {columns})"),
+            };
+            text.push(format!("    real(dp), intent(out) :: {}{shape}\n", output_name(output)));
+        }
+        text.push("    integer :: code\n");
+        text.push(temporaries(lines));
+        text.push_all(outputs.iter().map(|output| format!("    {} = 0.0_dp\n", output_name(output))));
+        text.push_all(inputs.iter().enumerate().map(|(position, field)| refusal(field, position + 1)));
+        text.push_all(lines.text.iter().map(|line| format!("{line}\n")));
+        if let Some(refusal) = one.graph.refusal {
+            let found = body.text(lines, refusal);
+            text.push(format!("    code = {} + nint({found})\n    if ({found} > 0.0_dp) return\n", inputs.len()));
+        }
+        for output in outputs {
+            let name = output_name(output);
+            for (row, nodes) in one.rows(output) {
+                let entries: Vec<_> = nodes.iter().map(|&node| body.text(lines, node)).collect();
+                let line = match output.shape {
+                    Shape::Number => format!("    {name} = {}", entries[0]),
+                    Shape::Vector(_) => format!("    {name} = [{}]", entries.join(", ")),
+                    Shape::Matrix(..) => format!("    {name}({}, :) = [{}]", row + 1, entries.join(", ")),
+                };
+                text.push(folded(&line, " &").join("\n") + "\n");
+            }
+        }
+        text.push(format!("    code = 0\nend function {name}\n"));
+        text.finished()
     }
 
+    fn part(&self, stem: &str, part: &PartLines) -> String {
+        let name = format!("jp_{stem}_part{}", part.number);
+        let given = (part.given > 0).then(|| "given".to_owned());
+        let arguments: Vec<_> =
+            part.inputs.iter().map(|field| name_of(field)).chain(given).chain(["found".into()]).collect();
+        let head = folded(&format!("subroutine {name}({})", arguments.join(", ")), " &").join("\n");
+        let mut text = Text::from(format!("\n{head}\n"));
+        text.push(declared(part.inputs.iter().copied(), part.given));
+        text.push(format!("    real(dp), intent(out) :: found({})\n", part.found));
+        text.push(temporaries(&part.lines));
+        text.push(part.lines.text.join("\n"));
+        text.push(format!("\nend subroutine {name}\n"));
+        text.finished()
+    }
+}
+
+impl Syntax for Fortran {
     /// Results are assigned where they are computed.
-    fn part(&self) -> usize {
+    fn lines_of_part(&self) -> usize {
         280
     }
 
@@ -148,53 +197,22 @@ impl Syntax for Fortran {
     }
 }
 
-/// The modules of a formula or an element.
-pub(super) fn modules(one: &Recorded) -> Vec<String> {
-    files_of(&Fortran, one).into_iter().map(|(_, text)| text).collect()
-}
-
-/// The file of a module, and those of its parts.
-fn files_with_parts(stem: &str, source: String, parts: &[PartLines]) -> Vec<File> {
-    let parts = parts.iter().map(|part| (format!("jp_{stem}_part{}.f90", part.number), part_source(stem, part)));
-    [(format!("jp_{stem}.f90"), source)].into_iter().chain(parts).collect()
-}
-
 fn name_of(field: &Field) -> String {
     unreserved(field.name, &RESERVED)
 }
 
-/// The text of its module, and the parts that its functions call.
-fn source(one: &Recorded, limit: usize) -> (String, Vec<PartLines>) {
-    let name = stem(one);
-    let body = Body::of(&Fortran, one, &name);
-    let mut parts = Vec::new();
-    let mut functions = Vec::new();
-    for printed in one.functions() {
-        let (lines, more) = body.program(&one.results(&printed), limit, parts.len() + 1);
-        parts.extend(more);
-        let text = function(one, &body, &lines, &printed);
-        functions.push((text, format!("jp_{name}_{}", printed.name), lines.calls));
-    }
+/// The module of a formula or an element.
+pub(super) fn module_of(one: &Recorded) -> String {
+    let stem = stem(one);
     let head = [description(one), vec!["The functions give 0, or".into()], refusals(one)].concat();
-    (module_of(&name, &head, &functions), parts)
-}
-
-/// A module of functions: the text of each, its name, and the parts that it calls.
-fn module_of(stem: &str, head: &[String], functions: &[(String, String, BTreeSet<usize>)]) -> String {
+    let public: Vec<_> = one.functions().iter().map(|function| format!("jp_{stem}_{}", function.name)).collect();
     let mut text = Text::from("");
     text.push_all(head.iter().map(|line| format!("! {line}").trim_end().to_owned() + "\n"));
-    text.push(format!("module jp_{stem}\n    use jp_runtime\n"));
-    text.push(uses(stem, functions.iter().flat_map(|(.., calls)| calls)));
-    let public: Vec<_> = functions.iter().map(|(_, name, _)| name.as_str()).collect();
-    text.push(format!("    implicit none\n    private\n    public :: {}\ncontains\n", public.join(", ")));
-    text.push_all(functions.iter().map(|(function, ..)| function));
+    text.push(format!("module jp_{stem}\n    use jp_runtime\n    implicit none\n    private\n"));
+    text.push(format!("    public :: {}\ncontains\n", public.join(", ")));
+    text.push_all(functions_of(&Fortran, one));
     text.push(format!("end module jp_{stem}\n"));
     text.finished()
-}
-
-/// The modules of parts.
-fn uses<'a>(stem: &str, parts: impl Iterator<Item = &'a usize>) -> String {
-    parts.map(|part| format!("    use jp_{stem}_{part}\n")).collect::<Vec<_>>().concat()
 }
 
 /// The arguments of a part or a function that it takes.
@@ -225,44 +243,6 @@ fn output_name(output: &Output) -> String {
     }
 }
 
-fn function(one: &Recorded, body: &Body, lines: &Lines, Function { name, outputs }: &Function) -> String {
-    let (name, inputs) = (format!("jp_{}_{name}", stem(one)), one.inputs());
-    let names: Vec<_> = inputs.iter().map(name_of).chain(outputs.iter().map(output_name)).collect();
-    let mut text = Text::from(format!("function {name}( &\n        {}) result(code)\n", names.join(", &\n        ")));
-    text.push(declared(inputs, 0));
-    for output in outputs {
-        let shape = match output.shape {
-            Shape::Number => String::new(),
-            Shape::Vector(len) => format!("({len})"),
-            Shape::Matrix(rows, columns) => format!("({rows}, {columns})"),
-        };
-        text.push(format!("    real(dp), intent(out) :: {}{shape}\n", output_name(output)));
-    }
-    text.push("    integer :: code\n");
-    text.push(temporaries(lines));
-    text.push_all(outputs.iter().map(|output| format!("    {} = 0.0_dp\n", output_name(output))));
-    text.push_all(inputs.iter().enumerate().map(|(position, field)| refusal(field, position + 1)));
-    text.push_all(lines.text.iter().map(|line| format!("{line}\n")));
-    if let Some(refusal) = one.graph.refusal {
-        let found = body.text(lines, refusal);
-        text.push(format!("    code = {} + nint({found})\n    if ({found} > 0.0_dp) return\n", inputs.len()));
-    }
-    for output in outputs {
-        let name = output_name(output);
-        for (row, nodes) in one.rows(output) {
-            let entries: Vec<_> = nodes.iter().map(|&node| body.text(lines, node)).collect();
-            let line = match output.shape {
-                Shape::Number => format!("    {name} = {}", entries[0]),
-                Shape::Vector(_) => format!("    {name} = [{}]", entries.join(", ")),
-                Shape::Matrix(..) => format!("    {name}({}, :) = [{}]", row + 1, entries.join(", ")),
-            };
-            text.push(folded(&line, " &").join("\n") + "\n");
-        }
-    }
-    text.push(format!("    code = 0\nend function {name}\n"));
-    text.finished()
-}
-
 fn refusal(field: &Field, code: usize) -> String {
     let name = name_of(field);
     let mut conditions = vec![format!("abs({name}) <= huge(0.0_dp)")];
@@ -271,25 +251,6 @@ fn refusal(field: &Field, code: usize) -> String {
     let condition = conditions.join(" .and. ");
     let all = if field.len() == 1 { condition } else { format!("all({condition})") };
     format!("    code = {code}\n    if (.not. ({all})) return\n")
-}
-
-fn part_source(stem: &str, part: &PartLines) -> String {
-    let number = part.number;
-    let given = (part.given > 0).then(|| "given".to_owned());
-    let arguments: Vec<_> =
-        part.inputs.iter().map(|field| name_of(field)).chain(given).chain(["found".into()]).collect();
-    let head = folded(&format!("subroutine jp_{stem}_part{number}({})", arguments.join(", ")), " &").join("\n");
-    let mut text = Text::from(format!(
-        "! A part of jp_{stem}.f90.\nmodule jp_{stem}_{number}\n    use jp_runtime\n{}    implicit none\n    private\n\
-         \x20   public :: jp_{stem}_part{number}\ncontains\n{head}\n",
-        uses(stem, part.lines.calls.iter())
-    ));
-    text.push(declared(part.inputs.iter().copied(), part.given));
-    text.push(format!("    real(dp), intent(out) :: found({})\n", part.found));
-    text.push(temporaries(&part.lines));
-    text.push(part.lines.text.join("\n"));
-    text.push(format!("\nend subroutine jp_{stem}_part{number}\nend module jp_{stem}_{number}\n"));
-    text.finished()
 }
 
 fn module(recorded: &[Recorded]) -> String {
@@ -309,9 +270,9 @@ fn module(recorded: &[Recorded]) -> String {
     text.finished()
 }
 
-fn makefile(formulas: &[Vec<File>], drivers: &[File]) -> String {
+fn makefile(modules: &[File], drivers: &[File]) -> String {
     let object = |(name, _): &File| name.replace(".f90", ".o");
-    let objects: Vec<_> = formulas.iter().flatten().map(object).collect();
+    let objects: Vec<_> = modules.iter().map(object).collect();
     let drivers: Vec<_> = drivers.iter().map(object).collect();
     let mut text = Text::from(format!(
         "FC = gfortran\nFFLAGS = {FLAGS}\nOBJECTS = {}\nDRIVERS = {}\n\n\
@@ -320,15 +281,6 @@ fn makefile(formulas: &[Vec<File>], drivers: &[File]) -> String {
         objects.join(" \\\n    "),
         drivers.join(" ")
     ));
-    // A module comes after its parts, and each part after those it calls.
-    for files in formulas {
-        for pair in files[1..].windows(2) {
-            text.push(format!("{}: {}\n", object(&pair[1]), object(&pair[0])));
-        }
-        if let [first, .., last] = files.as_slice() {
-            text.push(format!("{}: {}\n", object(first), object(last)));
-        }
-    }
     for pair in drivers.windows(2) {
         text.push(format!("{}: {}\n", pair[1], pair[0]));
     }
@@ -338,14 +290,14 @@ fn makefile(formulas: &[Vec<File>], drivers: &[File]) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{PartLines, part_source};
-    use crate::export::program::Lines;
+    use super::Fortran;
+    use crate::export::program::{Functions, Lines, PartLines};
 
     /// Results of earlier parts as arguments, and none if a part needs none.
     #[test]
     fn a_part_takes_what_it_is_given() {
         let source = |given| {
-            part_source("t", &PartLines { number: 2, inputs: Vec::new(), given, found: 3, lines: Lines::default() })
+            Fortran.part("t", &PartLines { number: 2, inputs: Vec::new(), given, found: 3, lines: Lines::default() })
         };
         for given in [1, 2] {
             let text = source(given);

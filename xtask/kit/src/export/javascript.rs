@@ -1,8 +1,8 @@
 //! JavaScript, as ES modules.
 
 use super::c::{Names, common, exact_sum, signed};
-use super::language::{File, Language, Operand, Syntax, Toolchain, files_of};
-use super::program::{Body, Lines, PartLines, folded};
+use super::language::{File, Language, Operand, Syntax, Toolchain};
+use super::program::{Body, Functions, Lines, PartLines, folded, functions_of};
 use super::recorded::{Function, Output, Recorded, Subject, Text, description, refusals, stem};
 use jointproof::formula::Field;
 use jointproof::toolkit::graph::{Node, Op, Unary};
@@ -48,7 +48,8 @@ impl Language for JavaScript {
             ("jointproof.mjs".to_owned(), index(recorded)),
             ("driver.mjs".to_owned(), driver(recorded)),
         ];
-        files.extend(recorded.iter().flat_map(|one| files_of(self, one)));
+        files
+            .extend(recorded.iter().map(|one| (format!("jp_{}.mjs", stem(one)), module(one, functions_of(self, one)))));
         files
     }
 
@@ -57,15 +58,45 @@ impl Language for JavaScript {
     }
 }
 
-impl Syntax for JavaScript {
-    fn printed(&self, one: &Recorded, limit: usize) -> Vec<File> {
-        let stem = stem(one);
-        let (source, parts) = source(one, limit);
-        let mut files = vec![(format!("jp_{stem}.mjs"), source)];
-        files.extend(parts.iter().map(|part| (format!("jp_{stem}_part{}.mjs", part.number), part_source(&stem, part))));
-        files
+impl Functions for JavaScript {
+    /// A formula gives its value and its Jacobian, an element each of its outputs by its name.
+    fn function(&self, one: &Recorded, body: &Body, lines: &Lines, Function { name, outputs }: &Function) -> String {
+        let list = |nodes: &[Node]| {
+            let entries: Vec<_> = nodes.iter().map(|&node| body.text(lines, node)).collect();
+            folded(&format!("        {},", entries.join(", ")), "").join("\n")
+        };
+        let listed = |name: &str, nodes: &[Node]| format!("{name}: [\n{}\n    ]", list(nodes));
+        let lists = match one.subject {
+            Subject::Formula(_) => {
+                let jacobian = (*name == "jacobian").then(|| listed("jacobian", &one.graph.jacobian));
+                [listed("value", &one.graph.value)].into_iter().chain(jacobian).collect::<Vec<_>>()
+            }
+            Subject::Element(..) => outputs.iter().map(|output| listed(output.name, one.nodes(output))).collect(),
+        };
+        let together = one.graph.refusal.map_or_else(String::new, |node| {
+            let code = body.text(lines, node);
+            format!("\n    if ({code} > 0) return {{ refusal: {} + {code} }};", one.inputs().len())
+        });
+        format!(
+            "\nexport function {name}(i) {{\n    const refused = refusalOf(inputs, i);\n    if (refused) return refused;\n{}{together}\n\
+             \x20   return {{ refusal: 0, {} }};\n}}\n",
+            lines.text.join("\n"),
+            lists.join(", "),
+        )
     }
 
+    fn part(&self, _: &str, part: &PartLines) -> String {
+        let found: Vec<_> = (0..part.found).map(|_| "0").collect();
+        format!(
+            "\nfunction part{}(i, given) {{\n{}\n{}\n    return found;\n}}\n",
+            part.number,
+            folded(&format!("    const found = [{}];", found.join(", ")), "").join("\n"),
+            part.lines.text.join("\n")
+        )
+    }
+}
+
+impl Syntax for JavaScript {
     fn number(&self, x: f64) -> String {
         if x.is_infinite() {
             return if x > 0.0 { "Infinity".into() } else { "(-Infinity)".into() };
@@ -112,31 +143,18 @@ impl Syntax for JavaScript {
     }
 }
 
-/// The text of its module, and the parts that its functions call.
-pub(super) fn source(one: &Recorded, limit: usize) -> (String, Vec<PartLines>) {
-    let stem = stem(one);
-    let body = Body::of(&JavaScript, one, &stem);
-    let mut parts = Vec::new();
-    let mut functions = Vec::new();
-    for printed in one.functions() {
-        let (lines, more) = body.program(&one.results(&printed), limit, parts.len() + 1);
-        parts.extend(more);
-        functions.push((function(one, &body, &lines, &printed), lines.calls));
-    }
+/// The module of these functions of a formula or an element.
+pub(super) fn module(one: &Recorded, functions: Vec<String>) -> String {
     let head = [description(one), vec!["refusal is 0, or the only result:".into()], refusals(one)].concat();
     let lines: Vec<_> = head.iter().map(|line| format!("// {line}").trim_end().to_owned()).collect();
     let mut text = Text::from(lines.join("\n") + "\n");
-    text.push(imports(&stem, functions.iter().flat_map(|(_, calls)| calls)));
+    text.push(
+        "import {\n    angle, asin, exactSum, expm1, multiplyAdd, nearestInteger, nearestPlace, norm2, norm3, norm4,\n    \
+         powerOfTwo, refusalOf,\n} from './jp_runtime.mjs';\n",
+    );
     text.push(fields(one));
-    text.push_all(functions.iter().map(|(function, _)| function));
-    (text.finished(), parts)
-}
-
-fn imports<'a>(stem: &str, parts: impl Iterator<Item = &'a usize>) -> String {
-    let parts = parts.map(|part| format!("import {{ part{part} }} from './jp_{stem}_part{part}.mjs';\n"));
-    "import {\n    angle, asin, exactSum, expm1, multiplyAdd, nearestInteger, nearestPlace, norm2, norm3, norm4,\n    powerOfTwo, refusalOf,\n} from './jp_runtime.mjs';\n"
-        .to_owned()
-        + &parts.collect::<String>()
+    text.push_all(functions);
+    text.finished()
 }
 
 /// Inputs and outputs, and the conditions that inputs must satisfy together.
@@ -160,43 +178,6 @@ fn fields(one: &Recorded) -> String {
     }
     text.push("];\n");
     text.finished()
-}
-
-/// A formula gives its value and its Jacobian, an element each of its outputs by its name.
-fn function(one: &Recorded, body: &Body, lines: &Lines, Function { name, outputs }: &Function) -> String {
-    let list = |nodes: &[Node]| {
-        let entries: Vec<_> = nodes.iter().map(|&node| body.text(lines, node)).collect();
-        folded(&format!("        {},", entries.join(", ")), "").join("\n")
-    };
-    let listed = |name: &str, nodes: &[Node]| format!("{name}: [\n{}\n    ]", list(nodes));
-    let lists = match one.subject {
-        Subject::Formula(_) => {
-            let jacobian = (*name == "jacobian").then(|| listed("jacobian", &one.graph.jacobian));
-            [listed("value", &one.graph.value)].into_iter().chain(jacobian).collect::<Vec<_>>()
-        }
-        Subject::Element(..) => outputs.iter().map(|output| listed(output.name, one.nodes(output))).collect(),
-    };
-    let together = one.graph.refusal.map_or_else(String::new, |node| {
-        let code = body.text(lines, node);
-        format!("\n    if ({code} > 0) return {{ refusal: {} + {code} }};", one.inputs().len())
-    });
-    format!(
-        "\nexport function {name}(i) {{\n    const refused = refusalOf(inputs, i);\n    if (refused) return refused;\n{}{together}\n\
-         \x20   return {{ refusal: 0, {} }};\n}}\n",
-        lines.text.join("\n"),
-        lists.join(", "),
-    )
-}
-
-fn part_source(stem: &str, part: &PartLines) -> String {
-    let found: Vec<_> = (0..part.found).map(|_| "0").collect();
-    format!(
-        "// A part of jp_{stem}.mjs.\n{}\nexport function part{}(i, given) {{\n{}\n{}\n    return found;\n}}\n",
-        imports(stem, part.lines.calls.iter()),
-        part.number,
-        folded(&format!("    const found = [{}];", found.join(", ")), "").join("\n"),
-        part.lines.text.join("\n")
-    )
 }
 
 fn index(recorded: &[Recorded]) -> String {

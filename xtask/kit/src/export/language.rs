@@ -21,22 +21,6 @@ pub(super) struct Toolchain {
 /// A name and a text.
 pub(super) type File = (String, String);
 
-/// The largest number of lines in a file.
-const LONGEST: usize = 400;
-
-/// The files of a formula or an element, with its functions split into parts if they are too long for one file.
-pub(super) fn files_of(language: &dyn Syntax, one: &Recorded) -> Vec<File> {
-    let limits = [usize::MAX, 100, 60, 30, 15, 5];
-    let mut files = Vec::new();
-    for limit in limits {
-        files = language.printed(one, limit);
-        if files.iter().all(|(_, text)| text.lines().count() <= LONGEST) {
-            break;
-        }
-    }
-    files
-}
-
 /// A language to print in.
 pub(super) trait Language {
     /// All files of an export, by their names.
@@ -53,12 +37,9 @@ pub(super) trait Language {
 
 /// A language in which functions consist of statements.
 pub(super) trait Syntax {
-    /// The files of a formula or an element; the first one has functions of about `limit` lines at most.
-    fn printed(&self, one: &Recorded, limit: usize) -> Vec<File>;
-
-    /// The approximate number of lines of the statements of a part: fewer than its file may have, by as many as declare arguments
-    /// and assign results.
-    fn part(&self) -> usize {
+    /// The approximate number of lines of the statements of a part: fewer than a function may have, by as many as declare
+    /// arguments and assign results.
+    fn lines_of_part(&self) -> usize {
         180
     }
 

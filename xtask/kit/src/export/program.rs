@@ -1,12 +1,51 @@
-//! The body of a function: the statements of a graph, written in a language.
+//! Functions: the statements of a graph, written in a language.
 
 use super::language::Syntax;
 use super::outline::{Lengths, Outline, Part, Step};
-use super::recorded::Recorded;
+use super::recorded::{Function, Recorded, stem};
 use super::repeated::{Place, Repeated};
 use jointproof::formula::Field;
 use jointproof::toolkit::graph::{Graph, Node, Op};
 use std::collections::{BTreeSet, HashMap};
+
+/// A language in which functions can be written.
+pub(super) trait Functions: Syntax {
+    /// A function that checks its inputs, computes, and assigns its results.
+    fn function(&self, one: &Recorded, body: &Body, lines: &Lines, function: &Function) -> String;
+
+    /// A part of functions, which only these call.
+    fn part(&self, stem: &str, part: &PartLines) -> String;
+}
+
+/// The largest number of lines of a function.
+const LONGEST: usize = 400;
+
+/// The functions of a formula or an element, each after the parts that it is split into if it is too long.
+pub(super) fn functions_of(language: &impl Functions, one: &Recorded) -> Vec<String> {
+    let limits = [usize::MAX, 100, 60, 30, 15, 5];
+    let mut functions = Vec::new();
+    for limit in limits {
+        functions = functions_within(limit, language, one);
+        if functions.iter().all(|text| text.lines().count() <= LONGEST) {
+            break;
+        }
+    }
+    functions
+}
+
+/// The same with about `limit` lines of statements in a function that is not a part.
+pub(super) fn functions_within(limit: usize, language: &impl Functions, one: &Recorded) -> Vec<String> {
+    let stem = stem(one);
+    let body = Body::of(language, one, &stem);
+    let (mut texts, mut count) = (Vec::new(), 0);
+    for function in one.functions() {
+        let (lines, parts) = body.program(&one.results(&function), limit, count + 1);
+        count += parts.len();
+        texts.extend(parts.iter().map(|part| language.part(&stem, part)));
+        texts.push(language.function(one, &body, &lines, &function));
+    }
+    texts
+}
 
 /// The body of a function for some results of a graph.
 pub(super) struct Body<'a> {
@@ -30,8 +69,6 @@ pub(super) struct Lines {
     pub(super) answers: Vec<String>,
     /// The results of parts: the name of an array, and its length.
     pub(super) arrays: Vec<(String, usize)>,
-    /// The parts that it calls.
-    pub(super) calls: BTreeSet<usize>,
     /// The names of results of other functions.
     called: HashMap<Node, String>,
 }
@@ -56,7 +93,7 @@ impl<'a> Body<'a> {
     /// The lines that compute these results, indented, about as many as the limit allows, and the parts, numbered from
     /// `first`.
     pub(super) fn program(&self, results: &[Node], limit: usize, first: usize) -> (Lines, Vec<PartLines>) {
-        let lengths = Lengths { main: limit, part: self.language.part() };
+        let lengths = Lengths { main: limit, part: self.language.lines_of_part() };
         let outline = Outline::new(self.graph, self.repeated, results, lengths);
         let parts = outline.parts.iter().enumerate().map(|(k, part)| self.part(&outline, first, (k, part))).collect();
         let mut main = Printed { body: self, outline: &outline, first, lines: Lines::default() };
@@ -210,7 +247,6 @@ impl Printed<'_> {
             self.lines.called.insert(node, language.element(&array, k, graph.is_answer(node)));
         }
         self.lines.arrays.push((array, found.len()));
-        self.lines.calls.insert(number);
     }
 
     fn named(&mut self, node: Node) -> String {

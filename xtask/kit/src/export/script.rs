@@ -1,7 +1,8 @@
 //! The JavaScript of a formula as a classic script, since browsers do not load modules from `file://`.
 
 use super::check::{entry, is_near};
-use super::javascript::{EPSILONS, RUNTIME, source};
+use super::javascript::{EPSILONS, JavaScript, RUNTIME, module};
+use super::program::functions_within;
 use super::recorded::{Recorded, Subject, record};
 use jointproof::catalog::AnyFormula;
 use jointproof::toolkit::graph::NotRecorded;
@@ -27,7 +28,7 @@ impl Script {
     /// A function that takes the runtime and returns the exports of the module: the text of the module in one part,
     /// without module syntax, and without the function for the value, which that for the Jacobian computes too.
     pub(crate) fn text(&self) -> String {
-        let (module, _) = source(&self.0, usize::MAX);
+        let module = module(&self.0, functions_within(usize::MAX, &JavaScript, &self.0));
         let (head, rest) = module.split_once("\nexport function value").expect("a module has a function for the value");
         let largest = rest.split_once("\nexport function jacobian").map_or(rest, |(_, jacobian)| jacobian);
         let (before, import) = head.split_once("import ").expect("a module imports the runtime");

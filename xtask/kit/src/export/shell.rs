@@ -7,7 +7,7 @@ mod fixed;
 mod head;
 
 use super::fortran::driver::passed;
-use super::fortran::{RUNTIME, modules};
+use super::fortran::{RUNTIME, module_of};
 use super::program::folded;
 use super::recorded::{Output, Recorded, Shape, Subject, record};
 use crate::files;
@@ -109,7 +109,7 @@ pub(super) fn file(
     };
     // No module of another file has the same name.
     let runtime = format!("jp_runtime_{name}");
-    let modules: Vec<_> = in_order([vec![RUNTIME.to_owned()], modules].concat());
+    let modules = [vec![RUNTIME.to_owned()], modules].concat();
     let code = [modules.join("\n"), "\n".into(), text].concat().replace("jp_runtime", &runtime);
     let (extension, text) = if is_fixed {
         ("f", fixed::form(&[head, "\n".into(), code].concat()))
@@ -136,7 +136,7 @@ fn by_hand(project: &Project, name: &str, text: &str) -> anyhow::Result<Routine>
         name: name.to_owned(),
         head: format!("{head}\n"),
         text: format!("subroutine {body}"),
-        modules: recorded.iter().flat_map(modules).collect(),
+        modules: recorded.iter().map(module_of).collect(),
     })
 }
 
@@ -163,7 +163,7 @@ fn user_elements(project: &Project, shell: Shell, elements: &[&'static dyn AnyFo
             return Err(Usage(format!("--element {}: it cannot be exported, since {why}", subject.spec().id)).into());
         }
         head += &head::of(element, number, shell == Shell::Vuel);
-        all.extend(recorded.iter().flat_map(modules));
+        all.extend(recorded.iter().map(module_of));
         all.push(module(shell, element, &recorded));
     }
     let uses: Vec<_> = names.iter().map(|name| format!("use jp_{routine}_{name}, only: {routine}_{name}")).collect();
@@ -359,23 +359,4 @@ impl Places {
         places.declarations = vec![format!("real(dp) :: {}", places.declarations.join(", "))];
         places
     }
-}
-
-/// Sorts modules such that each comes after those it uses.
-pub(super) fn in_order(mut modules: Vec<String>) -> Vec<String> {
-    let mut found: Vec<String> = Vec::new();
-    while !modules.is_empty() {
-        let missing: Vec<_> = modules.iter().map(|module| format!("    use {}", name(module))).collect();
-        let is_ready = |module: &String| !module.lines().any(|line| missing.iter().any(|used| used == line));
-        let (ready, rest): (Vec<_>, Vec<_>) = modules.into_iter().partition(is_ready);
-        assert!(!ready.is_empty(), "no module uses itself");
-        found.extend(ready);
-        modules = rest;
-    }
-    found
-}
-
-/// The name of a module.
-fn name(module: &str) -> &str {
-    module.lines().find_map(|line| line.strip_prefix("module ")).expect("every file is a module")
 }
