@@ -110,40 +110,50 @@ fn turns<D: Scalar, const N: usize>(sines: [D; N], cosines: [D; N]) -> [D; N] {
 
 /// The derivatives of −atan2(v·p, v·q) with respect to v, p and q, from v·p and v·q.
 ///
-/// With s and c for the two scalar products: −c v and s v for p and q, s q − c p for v, all divided by s² + c². The last is
-/// evaluated as (p × q) × v, which is exactly normal to v: the two terms cancel where v is close to an axis, the double product
-/// does not.
+/// With s and c for the two scalar products: −c v and s v for p and q, s q − c p for v, all divided by s² + c². Rounding s or c does
+/// what a small change of p or q does: so the derivative is as accurate as its vectors for any v, p and q.
 #[inline]
 fn turn_gradient<D: Scalar>(of: [&Vector3<D>; 3], (sine, cosine): (D, D)) -> [Vector3<D>; 3] {
-    let [gradient] = turn_gradients([of], [sine], [cosine]);
+    let [gradient] = turn_gradients([of], [sine], [cosine], difference);
     gradient
 }
 
-/// Several such derivatives.
+/// s q − c p.
+#[inline(always)]
+fn difference<D: Scalar>([_, p, q]: [&Vector3<D>; 3], [sine, cosine]: [D; 2]) -> Vector3<D> {
+    q * sine - p * cosine
+}
+
+/// Several such derivatives; `of_v` is [`difference`], or another way to compute it.
 #[inline(always)]
 fn turn_gradients<D: Scalar, const N: usize>(
     of: [[&Vector3<D>; 3]; N],
     sines: [D; N],
     cosines: [D; N],
+    of_v: impl Fn([&Vector3<D>; 3], [D; 2]) -> Vector3<D>,
 ) -> [[Vector3<D>; 3]; N] {
     let squares: [D; N] = std::array::from_fn(|k| sines[k] * sines[k] + cosines[k] * cosines[k]);
     let are_usual = squares.iter().fold(true, |all, &square| all & is_between(square, 1e-30, 1e30));
     if !are_usual && D::has_extremes() {
-        return std::array::from_fn(|k| extreme_turn_gradient(of[k].map(|v| *v), (sines[k], cosines[k])));
+        return std::array::from_fn(|k| extreme_turn_gradient(of[k].map(|v| *v), (sines[k], cosines[k]), &of_v));
     }
     let by = squares.map(|square| number_if(are_usual, square.recip()));
     std::array::from_fn(|k| {
-        let [v, p, q] = of[k];
-        [p.cross(q).cross(v) * by[k], v * (-cosines[k] * by[k]), v * (sines[k] * by[k])]
+        let v = of[k][0];
+        [of_v(of[k], [sines[k], cosines[k]]) * by[k], v * (-cosines[k] * by[k]), v * (sines[k] * by[k])]
     })
 }
 
 /// [`turn_gradient`] where squares under- or overflow. Passed by value: references would keep the vectors in memory on all paths.
 #[cold]
-fn extreme_turn_gradient<D: Scalar>([v, p, q]: [Vector3<D>; 3], (sine, cosine): (D, D)) -> [Vector3<D>; 3] {
+fn extreme_turn_gradient<D: Scalar>(
+    [v, p, q]: [Vector3<D>; 3],
+    (sine, cosine): (D, D),
+    of_v: impl Fn([&Vector3<D>; 3], [D; 2]) -> Vector3<D>,
+) -> [Vector3<D>; 3] {
     let (length, [sine, cosine]) = norm_and_direction([sine, cosine]);
     let by = length.recip();
-    [p.cross(&q).cross(&v) * by * by, v * (-cosine * by), v * (sine * by)]
+    [of_v([&(v * by), &p, &q], [sine, cosine]) * by, v * (-cosine * by), v * (sine * by)]
 }
 
 /// Whether [`turn`] and its derivatives are defined. If several rows are computed at once, the results are NaN otherwise.

@@ -262,7 +262,7 @@ class Way(Branches):
         return 0
 
     def bounds(self):
-        """The numbers with other bounds than 0, by their domains and by comparisons: at the points, both ends, and what bounds them."""
+        """The numbers that domains and comparisons bound: at the points, both ends, and what bounds them."""
         ends = {n: [[x] for x in self.ops[n][2:]] for n in self.nodes if self.ops[n][0] == "input"}
         for x, y, by in self.less:
             ends.setdefault(y, [[], []])[0].append(self.exact[x])
@@ -273,7 +273,7 @@ class Way(Branches):
                     yield times(self.value[x], map(inverse, self.value[y])), (sign & 1) - 1, 1 - sign // 2, by
         for n, both in ends.items():
             low, high = ([Fraction(x) for x in some if x is not None] for some in both)
-            if self.exact[n] is None and any(low + high):
+            if self.exact[n] is None and low + high:
                 yield self.value[n], max(low, default=None), min(high, default=None), n
 
     def bare(self, n: int) -> int:

@@ -184,6 +184,21 @@ class Planted(unittest.TestCase):
         wider = [real(0), ["input", 1, -0.5, 0.25], *ops[2:]]
         self.assertIn("say nothing", outcome(wider, {"bound": "1", "steps": [["range", "1", [5, 0, 1], [5, 0, 0], 1]]}))
 
+    def test_a_sign_bounds_a_ratio(self):
+        # a / (h (2 − h)) with h = 1 − b: the part of h is −2 b / (1 + b) times the result, at most twice the result where 0 ≤ b.
+        ops = [real(0), real(1), number(0.0), ["less or equal", 2, 1], number(1.0), ["subtract", 4, 1], number(2.0), ["subtract", 6, 5],
+               ["multiply", 5, 7], ["divide", 0, 8]]  # fmt: skip
+        steps = [["range", "1", [5, 0, 0], [9, 0, 0], 1]]
+        of_quotient, of_input = ({"bound": "5/2", "steps": steps}, {"bound": "0", "steps": []})
+        of = lambda answer, line: {**line, "way": [[3, answer]]}
+        is_up = [*ops, ["select", 3, 9, 0]]
+        self.assertEqual(outcome(is_up, of(True, of_quotient), of(False, of_input)), "")
+        self.assertIn("5/2 is proved", outcome(is_up, of(True, {**of_quotient, "bound": "2"}), of(False, of_input)))
+        self.assertIn("carries", outcome(is_up, of(True, {**of_quotient, "steps": []}), of(False, of_input)))
+        is_down = [*ops, ["select", 3, 0, 9]]
+        self.assertIn("say nothing", outcome(is_down, of(True, of_input), of(False, of_quotient)))
+        self.assertIn("say nothing", outcome(ops, of_quotient))
+
 
 @unittest.skipUnless(GRAPHS.is_dir(), "no graphs: cargo xtask prove --graphs target/graphs")
 class Tampered(unittest.TestCase):

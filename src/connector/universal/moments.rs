@@ -6,7 +6,7 @@
 mod proof;
 
 use super::kinematics::Angles;
-use crate::element::cardan::{alpha_gradient, check_alpha};
+use crate::element::cardan::check_alpha;
 use crate::fields;
 use crate::formula::error::Error;
 use crate::formula::quantity::{CROSS_M1, CROSS_M3, E1A, E2A, E3A, E3B, KINETIC_MOMENT, MOMENT, TWIST_M2};
@@ -70,9 +70,8 @@ impl Formula for ConstraintMoment {
     fn jacobian<D: Scalar>(i: &Twisted<D>) -> Jacobian<Self, D> {
         let (length, [cosine, sine]) = turn(i);
         let across = i.e3a * cosine - i.e2a * sine; // across·e3b = length
-        let [_, _, by_e3b] = alpha_gradient(&i.e2a, &i.e3a, &i.e3b);
-        let shaft = i.e3b / length;
         let line_of_nodes = line_of_nodes(i, [cosine, sine]);
+        let (shaft, by_e3b) = (i.e3b / length, -line_of_nodes / length);
         // ∂α/∂e2a = −cos α e3b/length and ∂α/∂e3a = −sin α e3b/length, so both rows are those of I − across e3bᵀ/length. Its
         // diagonal is a sum over the other two axes, without the 1, which would cancel.
         let row = |k: usize| {

@@ -3,7 +3,7 @@
 #![expect(clippy::inline_always, reason = "what is not inlined is not compiled for vectors")]
 
 use crate::formula::error::Error;
-use crate::number::scalar::{Leaf, Scalar, abs, asin, constant, pi, sign};
+use crate::number::scalar::{Leaf, Scalar, abs, asin, choice, constant, pi, sign};
 use nalgebra::Vector3;
 
 /// Above this |sin β| the difference 1 − |sin β| is formed without rounding errors.
@@ -80,15 +80,15 @@ fn steep_square<D: Scalar>(shortfall: D) -> D {
 /// products and sums are taken together with their rounding errors.
 #[inline(always)]
 fn shortfall<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>) -> D {
-    let side = -sign(a.dot(b));
+    let [side] = choice(|| [D::from(if a.dot(b) < 0.0 { 1.0 } else { -1.0 })]);
     let (mut sum, mut errors) = (D::one(), D::zero());
     for (&a, &b) in a.iter().zip(b) {
         let b = b * side;
         let product = a * b;
         let before = sum;
         sum = before + product;
-        let added = sum - before;
-        errors = errors + a.mul_add(b, -product) + ((before - (sum - added)) + (product - added));
+        let kept = sum - product;
+        errors = errors + a.mul_add(b, -product) + ((before - kept) + (product - (sum - kept)));
     }
     sum + errors
 }

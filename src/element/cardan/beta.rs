@@ -3,7 +3,7 @@
 #[cfg(feature = "verify")]
 mod proof;
 
-use super::{Triads, turn_gradient};
+use super::{Triads, turn_gradients};
 use crate::fields;
 use crate::formula::error::Error;
 use crate::formula::quantity::{BETA, E1A, E1B, E2B, E3B};
@@ -73,7 +73,9 @@ impl Formula for BetaTwoArgument {
         let m = i.e1b * n1 + i.e2b * n2;
         let sine = i.e1a.dot(&i.e3b);
         // β is 90° minus the angle from the other axis, which has the opposite derivative.
-        let [by_e1a, by_m, by_e3b] = turn_gradient([&i.e1a, &m, &i.e3b], (cosine, sine));
+        // (m × e3b) × e1a is normal to e1a, as the derivative is. The difference would lose small components.
+        let [[by_e1a, by_m, by_e3b]] =
+            turn_gradients([[&i.e1a, &m, &i.e3b]], [cosine], [sine], |[v, p, q], _| p.cross(q).cross(v));
         let by = BetaAxes { e1a: by_e1a, e1b: by_m * n1, e2b: by_m * n2, e3b: by_e3b };
         // As an array of one angle the call is inlined, which makes the whole function a tenth faster; the bits are the same.
         let [beta] = angles([sine + 0.0], [cosine]);

@@ -2,7 +2,7 @@
 
 #![expect(clippy::inline_always, reason = "a call would write the vectors to memory, and wait for them there")]
 
-use super::{check_alpha, check_gamma, turn_gradients, turns};
+use super::{check_alpha, check_gamma, difference, turn_gradients, turns};
 use crate::fields;
 use crate::formula::error::Error;
 use crate::formula::quantity::{E1A, E1B, E2A, E2B, E3A, E3B};
@@ -45,7 +45,7 @@ impl<D: Scalar> Triads<D> {
     pub(crate) fn alpha_and_gamma_gradients(&self) -> [Self; 2] {
         let ([sines, cosines], zero) = (self.sines_and_cosines(), Self::filled(D::zero()));
         let of = [[&self.e3b, &self.e2a, &self.e3a], [&self.e1a, &self.e2b, &self.e1b]];
-        let [[by_e3b, by_e2a, by_e3a], [by_e1a, by_e2b, by_e1b]] = turn_gradients(of, sines, cosines);
+        let [[by_e3b, by_e2a, by_e3a], [by_e1a, by_e2b, by_e1b]] = turn_gradients(of, sines, cosines, difference);
         [Self { e2a: by_e2a, e3a: by_e3a, e3b: by_e3b, ..zero }, Self { e1a: by_e1a, e1b: by_e1b, e2b: by_e2b, ..zero }]
     }
 

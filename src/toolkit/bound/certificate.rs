@@ -392,6 +392,32 @@ mod tests {
         assert!(checked(&[], certificate(&[], 2, steps.clone())).is_err_and(|why| why.contains("no part")));
     }
 
+    /// Of a/(h(2 − h)) with h = 1 − b, the part of h is −2b/(1 + b) times the result: at most twice the result where 0 ≤ b.
+    #[test]
+    fn a_sign_bounds_a_ratio() {
+        let (mut graph, [a, b]) = graph();
+        let [zero, one, two] = [0.0, 1.0, 2.0].map(|x| graph.number(x));
+        let is_up = graph.enter(Op::Compare(Relation::LessOrEqual, zero, b));
+        let h = graph.binary(Binary::Subtract, one, b);
+        let rest = graph.binary(Binary::Subtract, two, h);
+        let product = graph.binary(Binary::Multiply, h, rest);
+        let quotient = graph.binary(Binary::Divide, a, product);
+        let [where_up, where_down] =
+            [[quotient, a], [a, quotient]].map(|[yes, no]| graph.enter(Op::Select(is_up, yes, no)));
+        let range = vec![(Rule::Range(Part(h, 0, 0), Part(quotient, 0, 0), b), 1.into())];
+        let checked = |result: Node, answer: bool, bound: i128, steps: &[(Rule, Rational)]| {
+            let ways = [(answer, bound, steps), (!answer, 0, &[])].map(|(answer, bound, steps)| Certificate {
+                is_first_order: false,
+                ..certificate(&[(is_up, answer)], bound, steps.to_vec())
+            });
+            check(&graph, &INPUTS, result, &[], &ways)
+        };
+        assert_eq!(checked(where_up, true, 3, &range), Ok(()));
+        assert_eq!(checked(where_up, true, 2, &range), Err("its steps prove 5/2, not 2".into()));
+        assert!(checked(where_up, true, 3, &[]).is_err_and(|why| why.contains("none of inputs and result")));
+        assert!(checked(where_down, false, 3, &range).is_err_and(|why| why.contains("say nothing")));
+    }
+
     /// A length that is 0 has no part that is not.
     #[test]
     fn ways_that_contradict_themselves_need_no_certificate() {

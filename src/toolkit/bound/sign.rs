@@ -39,7 +39,7 @@ impl Order {
         Self { pairs, nodes: nodes.into_iter().collect() }
     }
 
-    /// The numbers that their domains, and comparisons with constants, bound by other numbers than 0.
+    /// The numbers that their domains, and comparisons with constants, bound.
     fn bounded(&self, way: &Way, domains: &[[Option<f64>; 2]], values: &BTreeMap<Node, Values>) -> Vec<Bounded> {
         let mut ends: BTreeMap<Node, [Option<Rational>; 2]> = BTreeMap::new();
         let inputs = self.nodes.iter().filter_map(|&node| match way.graph.op(node) {
@@ -57,8 +57,8 @@ impl Order {
                 *high = Some(high.map_or(end, |high| high.min(end)));
             }
         }
-        let says_more = |ends: &[Option<Rational>; 2]| ends.iter().flatten().any(|end| !end.is_zero());
-        let ends = ends.into_iter().filter(|(node, ends)| says_more(ends) && way.exact(*node).is_none());
+        let is_bounded = |ends: &[Option<Rational>; 2]| ends.iter().any(Option::is_some);
+        let ends = ends.into_iter().filter(|(node, ends)| is_bounded(ends) && way.exact(*node).is_none());
         ends.map(|(by, [low, high])| Bounded { value: values[&by], low, high, by }).collect()
     }
 }
