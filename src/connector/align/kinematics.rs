@@ -71,7 +71,7 @@ impl Formula for Constraint {
     )
     .equation(r"u_{r1} = \alpha - \alpha_0,\quad u_{r2} = \beta - \beta_0,\quad u_{r3} = \gamma - \gamma_0")
     .given(&[Given::new(r"\alpha,\ \beta,\ \gamma", &CardanAngles::SPEC)])
-    // The largest η that `audit --attack` found is 1.3 for the value, and 3 is possible to first order; for the Jacobian 2.03 and 4.
+    // The largest η that `audit --attack` found is 1.3 for the value, and 3 is possible to first order; for the Jacobian 2.5 and 4.
     .eta(3.0, 4.0)
     .normwise(3.0, 4.5)
     .scale(1e250)

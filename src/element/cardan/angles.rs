@@ -34,7 +34,7 @@ impl Formula for CardanAngles {
         ),
     )
         .equation(r"\alpha = -\operatorname{atan2}(\mathbf{e}_{2a}\cdot\mathbf{e}_{3b},\ \mathbf{e}_{3a}\cdot\mathbf{e}_{3b}),\quad \beta = \arcsin(\mathbf{e}_{1a}\cdot\mathbf{e}_{3b}),\quad \gamma = -\operatorname{atan2}(\mathbf{e}_{1a}\cdot\mathbf{e}_{2b},\ \mathbf{e}_{1a}\cdot\mathbf{e}_{1b})")
-        // The largest η that `audit --attack` found is 0.911 for the value, and 2 is possible to first order; for the Jacobian 1.97 and 4.
+        // The largest η that `audit --attack` found is 0.911 for the value, and 2 is possible to first order; for the Jacobian 2.39 and 4.
         .eta(3.0, 4.0)
         .normwise(3.0, 4.5)
         .scale(1e250)
